@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/expected.h"
+#include "scan/scan_lattice.h"
+
+namespace stratascope {
+
+struct ReadOptions {
+  /// The sensor's pose in the map, `--pose`: the file's points are in the sensor's own frame and are moved by it. Replaces a
+  /// pose the file brings along. Without it a file's coordinates are the map frame (a UOS .pose file moves its scan).
+  std::optional<Eigen::Isometry3d> pose;
+};
+
+/// Reads one scan of any supported format, told by content first, then by extension. Regular files only; memory bounded by
+/// the file's size. Locale-independent. A cloud without a lattice comes back Projected, with a note.
+Expected<Scan> readScan(const std::string& path, const ReadOptions& options = {});
+
+/// Writes a scan's points in the scan frame (lattice and sensor pose kept where the format can hold them) by the
+/// extension: .pcd (binary), .xyz/.txt (x y z a line, missing returns left out, no lattice).
+/// The file is replaced only when the new one is complete.
+Status writeScan(const Scan& scan, const std::string& path);
+
+/// "PCD (*.pcd)", … for file dialogs and help.
+struct FormatInfo {
+  const char* name;
+  std::vector<const char*> extensions;  ///< with the dot
+  bool canWrite;
+};
+const std::vector<FormatInfo>& scanFormats();
+
+/// Pose from "x,y,z,roll,pitch,yaw" (metres, degrees; R = Rz(yaw) Ry(pitch) Rx(roll)).
+Expected<Eigen::Isometry3d> poseFromText(const std::string& text);
+
+}  // namespace stratascope
