@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/random_room.h"
 
-
 #include "base/units.h"
 #include "sim/counter_noise.h"
 
