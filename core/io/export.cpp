@@ -41,9 +41,6 @@ class FileSet {
     const std::string hidden = "." + name + "." + std::to_string(::getpid());
     const Entry& entry = entries_.emplace_back(
         Entry{target, fs::path(directory_) / (hidden + ".new"), fs::path(directory_) / (hidden + ".old")});
-    std::error_code ignored;
-    if (fs::is_directory(target, ignored))
-      return Error{target.string(), "", "is a directory", "remove it or give another output directory"};
     Status written = writeFileAtomically(entry.fresh.string(), bytes);
     if (written) return written;
     Error error = written.error();
@@ -61,7 +58,7 @@ class FileSet {
       const bool existed = entry.hasOld || fs::exists(fs::symlink_status(entry.target, error));
       fs::rename(entry.fresh, entry.target, error);
       if (error)
-        return Error{entry.target.string(), "", "cannot be replaced: " + error.message(), "check the directory's rights"};
+        return Error{entry.target.string(), "", "cannot be replaced: " + error.message(), "remove what has this name or give another output directory"};
       entry.placed = !existed || entry.hasOld;  // without a second name (some file systems) there is no way back
       paths.push_back(entry.target.string());
     }
