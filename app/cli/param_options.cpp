@@ -28,6 +28,18 @@ std::string helpText(const ParamInfo& info) {
   return text + " [" + facts + "]";
 }
 
+/// "x,y,z,roll,pitch,yaw", written like that or, as run.json has it, as six numbers. "" for anything else.
+std::string poseText(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array() || value.size() != 6) return "";
+  std::string text;
+  for (const auto& number : value) {
+    if (!number.is_number()) return "";
+    text += (text.empty() ? "" : ",") + paramNumberText(number.get<double>());
+  }
+  return text;
+}
+
 /// A file of parameters may also hold "pose", which belongs to a scan and not to the table.
 Expected<Settings> readFileOfParams(const std::string& path) {
   constexpr std::uint64_t kMaxBytes = 1u << 20;
@@ -37,10 +49,11 @@ Expected<Settings> readFileOfParams(const std::string& path) {
   nlohmann::json document = nlohmann::json::parse(*bytes, nullptr, false);
   std::string rest = *bytes;
   if (document.is_object() && document.contains("pose")) {
-    const nlohmann::json pose = document["pose"];
-    if (!pose.is_string())
-      return Error{path, "key pose", "not a text", "give \"x,y,z,roll,pitch,yaw\" in metres and degrees"};
-    const auto read = poseFromText(pose.get<std::string>());
+    const std::string pose = poseText(document["pose"]);
+    if (pose.empty())
+      return Error{path, "key pose", "neither a text nor six numbers",
+                   "give \"x,y,z,roll,pitch,yaw\" in metres and degrees"};
+    const auto read = poseFromText(pose);
     if (!read) return Error{path, "key pose", read.error().what, read.error().remedy};
     settings.poses.push_back(*read);
     document.erase("pose");
