@@ -9,6 +9,7 @@
 
 #include "base/grid.h"
 #include "base/ids.h"
+#include "layers/range_noise.h"
 
 namespace stratascope {
 
@@ -28,7 +29,7 @@ struct NormalImage {
   Grid<Eigen::Vector3f> normals;  ///< unit, toward the sensor; NaN = no usable neighbours
   /// Reach of the neighbourhood each normal came from, metres; NaN where there is no normal.
   Grid<float> reach;
-  double rangeNoise = 0;  ///< estimated standard deviation of the scan's ranges, metres; NaN if it cannot be told
+  RangeNoise noise;       ///< the scan's own range noise, as it was estimated
 };
 
 /// Layer 3.

@@ -36,6 +36,8 @@ const ParamInfo* findParam(std::string_view key);
 /// The valid key nearest in spelling, for error messages.
 const char* nearestParamKey(std::string_view key);
 
+/// A number in the C locale, shortest form that reads back to the same double.
+std::string paramNumberText(double value);
 /// Value as text in the C locale, shortest form that reads back to the same number; the word of a choice; true/false.
 std::string paramText(const ParamInfo& info, const PipelineParams& params);
 /// Reads what paramText writes. The error names key and text, not a file.
