@@ -28,7 +28,7 @@ bool anythingBetween(std::span<const HeightInterval> records, double top, double
 }
 
 class Wave {
- public:
+public:
   Wave(const IntervalMap& map, const RobotParams& robot, Traversability& result)
       : map_(map), robot_(robot), result_(result), footprint_(footprint(robot.radius, map.frame.cell)) {}
 
@@ -51,7 +51,7 @@ class Wave {
     }
   }
 
- private:
+private:
   struct Place {
     CellIndex cell;
     std::uint32_t record;
@@ -75,7 +75,8 @@ class Wave {
 };
 
 /// Standable record of the cell whose top is nearest to the height.
-std::optional<std::uint32_t> startRecord(const IntervalMap& map, const Traversability& result, CellIndex start, double height) {
+std::optional<std::uint32_t> startRecord(const IntervalMap& map, const Traversability& result,
+                                         CellIndex start, double height) {
   std::optional<std::uint32_t> best;
   if (!map.frame.contains(start)) return best;
   const size_t o = map.frame.offset(start);
@@ -87,7 +88,8 @@ std::optional<std::uint32_t> startRecord(const IntervalMap& map, const Traversab
 
 }  // namespace
 
-Traversability findReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start, double height) {
+Traversability findReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start,
+                             double height) {
   require(robot.height > 0 && robot.step >= 0 && robot.radius >= 0 && std::isfinite(robot.radius),
           "findReachable: impossible robot");
   Traversability result;
@@ -111,7 +113,8 @@ Traversability findReachable(const IntervalMap& map, const RobotParams& robot, C
 
   for (size_t o = 0; o < map.frame.size(); ++o) {
     if (map.first[o] == map.first[o + 1]) continue;
-    const auto begin = result.reachable.begin() + map.first[o], end = result.reachable.begin() + map.first[o + 1];
+    const auto begin = result.reachable.begin() + map.first[o],
+               end = result.reachable.begin() + map.first[o + 1];
     result.cells[o] = std::find(begin, end, 1) != end ? CellState::Reachable : CellState::Blocked;
   }
   return result;

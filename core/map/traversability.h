@@ -29,18 +29,20 @@ enum class CellState : std::uint8_t {
 struct Traversability {
   /// Nothing else in the record's own cell is lower than `height` above its top.
   std::vector<std::uint8_t> standable;
-  /// Standable, the whole footprint fits, and a way of steps leads there from the start. Things no higher than a step are
-  /// driven over; unseen cells do not hinder.
+  /// Standable, the whole footprint fits, and a way of steps leads there from the start. Things no higher
+  /// than a step are driven over; unseen cells do not hinder.
   std::vector<std::uint8_t> reachable;
   std::vector<CellState> cells;  ///< frame.size()
   std::string reason;            ///< why nothing is reachable; empty otherwise
 };
 
-/// Spreads from the record of the cell `start` whose top is nearest to `height`, over the four neighbours of each cell.
-Traversability findReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start, double height = 0);
+/// Spreads from the record of the cell `start` whose top is nearest to `height`, over the four neighbours of
+/// each cell.
+Traversability findReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start,
+                             double height = 0);
 
-/// The 2.5D map as an extended one with a single record [z, z] in every cell seen, to put the same question to both: what
-/// hangs over the floor blocks it there.
+/// The 2.5D map as an extended one with a single record [z, z] in every cell seen, to put the same question
+/// to both: what hangs over the floor blocks it there.
 IntervalMap intervalsOf(const HeightMap& map);
 
 }  // namespace stratascope

@@ -18,7 +18,8 @@ struct Ground {
   std::vector<Eigen::Vector3f> points;
   void add(int k, int l, std::initializer_list<double> heights) {
     for (const double z : heights)
-      points.push_back({static_cast<float>((k + 0.5) * kCell), static_cast<float>((l + 0.5) * kCell), static_cast<float>(z)});
+      points.push_back({static_cast<float>((k + 0.5) * kCell), static_cast<float>((l + 0.5) * kCell),
+                        static_cast<float>(z)});
   }
   CellAssignment cells() const {
     const MapInput input{points, {}};
@@ -28,9 +29,13 @@ struct Ground {
   IntervalMap heights() const { return intervalsOf(buildHeightMap(cells())); }
 };
 
-CellState at(const IntervalMap& map, const Traversability& t, int k, int l) { return t.cells[map.frame.offset({k, l})]; }
+CellState at(const IntervalMap& map, const Traversability& t, int k, int l) {
+  return t.cells[map.frame.offset({k, l})];
+}
 
-long reachableCells(const Traversability& t) { return std::count(t.cells.begin(), t.cells.end(), CellState::Reachable); }
+long reachableCells(const Traversability& t) {
+  return std::count(t.cells.begin(), t.cells.end(), CellState::Reachable);
+}
 
 TEST(Traversability, FloorUnderPipesIsFreeButNotForTheHeightMap) {
   Ground ground;
@@ -82,7 +87,8 @@ TEST(Traversability, RadiusDecidesAtADoor) {
       }
     const IntervalMap map = ground.intervals();
     const Traversability t = findReachable(map, {0.6, 0.05, 0.2}, {3, 5});
-    EXPECT_EQ(at(map, t, 17, 5), width == 5 ? CellState::Reachable : CellState::Blocked) << width << " cells wide";
+    EXPECT_EQ(at(map, t, 17, 5), width == 5 ? CellState::Reachable : CellState::Blocked)
+        << width << " cells wide";
     EXPECT_EQ(at(map, t, 10, 0), CellState::Blocked);
     EXPECT_EQ(at(map, t, 8, 0), CellState::Blocked);    // two cells from the wall: too near
     EXPECT_EQ(at(map, t, 7, 0), CellState::Reachable);  // three: room enough
@@ -115,7 +121,8 @@ TEST(Traversability, SaysWhyNothingIsReachable) {
 }
 
 /// Looks at every pair of records again and again until nothing changes any more.
-std::vector<std::uint8_t> slowReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start, double height) {
+std::vector<std::uint8_t> slowReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start,
+                                        double height) {
   struct Item {
     CellIndex cell;
     HeightInterval record;
@@ -123,13 +130,15 @@ std::vector<std::uint8_t> slowReachable(const IntervalMap& map, const RobotParam
   };
   std::vector<Item> items;
   for (size_t o = 0; o < map.frame.size(); ++o)
-    for (std::uint32_t r = map.first[o]; r < map.first[o + 1]; ++r) items.push_back({map.frame.index(o), map.records[r], true});
+    for (std::uint32_t r = map.first[o]; r < map.first[o + 1]; ++r)
+      items.push_back({map.frame.index(o), map.records[r], true});
   for (Item& a : items)
     for (const Item& b : items) {
       const double above = static_cast<double>(b.record.max) - static_cast<double>(a.record.max);
       const bool low = static_cast<double>(b.record.min) - static_cast<double>(a.record.max) < robot.height;
       if (a.cell == b.cell && low && above > 0) a.fits = false;
-      if ((map.frame.centre(a.cell) - map.frame.centre(b.cell)).norm() <= robot.radius + 1e-9 && low && above > robot.step)
+      if ((map.frame.centre(a.cell) - map.frame.centre(b.cell)).norm() <= robot.radius + 1e-9 && low &&
+          above > robot.step)
         a.fits = false;
     }
   std::vector<std::uint8_t> reachable(items.size(), 0);
@@ -142,9 +151,12 @@ std::vector<std::uint8_t> slowReachable(const IntervalMap& map, const RobotParam
     changed = false;
     for (size_t i = 0; i < items.size(); ++i)
       for (size_t j = 0; j < items.size(); ++j) {
-        const int steps = std::abs(items[i].cell.k - items[j].cell.k) + std::abs(items[i].cell.l - items[j].cell.l);
-        const double rise = static_cast<double>(items[i].record.max) - static_cast<double>(items[j].record.max);
-        if (!reachable[i] || reachable[j] || steps != 1 || !items[j].fits || std::abs(rise) > robot.step) continue;
+        const int steps =
+            std::abs(items[i].cell.k - items[j].cell.k) + std::abs(items[i].cell.l - items[j].cell.l);
+        const double rise =
+            static_cast<double>(items[i].record.max) - static_cast<double>(items[j].record.max);
+        if (!reachable[i] || reachable[j] || steps != 1 || !items[j].fits || std::abs(rise) > robot.step)
+          continue;
         reachable[j] = 1;
         changed = true;
       }
