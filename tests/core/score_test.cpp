@@ -8,6 +8,8 @@
 #include <random>
 
 #include "base/units.h"
+#include "sim/scan_simulator.h"
+#include "support/random_room.h"
 
 namespace stratascope {
 namespace {
@@ -222,6 +224,34 @@ TEST_F(ScoreAngles, WithoutAnyNormalOrRegionNothingIsMadeUp) {
   EXPECT_FALSE(s.normalMedianDeg.has_value());
   EXPECT_FALSE(s.planeAngleMeanDeg.has_value());
   EXPECT_FALSE(scoreSegmentation({}).normalWithin10.has_value());
+}
+
+// The truth of a room scores as perfect, and planes fitted to its noisy points come close to the true ones.
+TEST(Score, TruthOfASimulatedRoomIsPerfect) {
+  Scene scene = test::randomRoom(3);
+  scene.scanner.lines = 172;
+  scene.scanner.beams = 181;
+  const SimulatedScan simulated = simulateScan(scene, {.seed = 3});
+  Labels found(simulated.truthLabels.values().begin(), simulated.truthLabels.values().end());
+  for (std::uint32_t& label : found) label = label >= kTruthFirstPlane ? label + 1000 : 0;
+  ScoreInput input;
+  input.truthLabels = simulated.truthLabels.values();
+  input.truthNormals = simulated.truthNormals.values();
+  input.foundLabels = found;
+  input.foundNormals = simulated.truthNormals.values();
+  const auto perfect = scoreSegmentation(input);
+  EXPECT_GE(perfect.truthRegions, 10u);
+  EXPECT_EQ(perfect.correct, perfect.truthRegions);
+  EXPECT_EQ(perfect.noise, perfect.foundRegions - perfect.truthRegions);  // regions below 100 pixels
+  EXPECT_DOUBLE_EQ(perfect.share, 1);
+  EXPECT_DOUBLE_EQ(*perfect.normalWithin10, 1);
+  EXPECT_LT(*perfect.planeAngleMaxDeg, 1e-3);
+
+  input.foundPoints = simulated.scan.lattice->points().values();
+  const auto fitted = scoreSegmentation(input);
+  EXPECT_EQ(fitted.correct, fitted.truthRegions);
+  EXPECT_GT(*fitted.planeAngleMedianDeg, 1e-3);
+  EXPECT_LT(*fitted.planeAngleMedianDeg, 1.5);
 }
 
 TEST(Score, BadCallsThrow) {
