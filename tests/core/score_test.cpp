@@ -30,7 +30,8 @@ SegmentationScore score(const Labels& truth, const Labels& found, ScoreOptions o
   return scoreSegmentation(input, options);
 }
 
-void expectCounts(const SegmentationScore& s, size_t correct, size_t over, size_t under, size_t missed, size_t noise) {
+void expectCounts(const SegmentationScore& s, size_t correct, size_t over, size_t under, size_t missed,
+                  size_t noise) {
   EXPECT_EQ(s.correct, correct) << "correct";
   EXPECT_EQ(s.over, over) << "over";
   EXPECT_EQ(s.under, under) << "under";
@@ -39,7 +40,8 @@ void expectCounts(const SegmentationScore& s, size_t correct, size_t over, size_
 }
 
 TEST(Score, SameRegionsUnderOtherNamesAreAllCorrect) {
-  const auto s = score(runs({{10, 200}, {0, 50}, {11, 300}, {12, 100}}), runs({{7, 200}, {0, 50}, {1, 300}, {99, 100}}));
+  const auto s =
+      score(runs({{10, 200}, {0, 50}, {11, 300}, {12, 100}}), runs({{7, 200}, {0, 50}, {1, 300}, {99, 100}}));
   expectCounts(s, 3, 0, 0, 0, 0);
   EXPECT_DOUBLE_EQ(s.share, 1);
   ASSERT_EQ(s.pairs.size(), 3u);
@@ -55,7 +57,8 @@ TEST(Score, CorrectNeedsTheToleranceOnBothSidesAndReachingItExactlyIsEnough) {
   // all true pixels, 100 of 125 and of 126 found ones: pixels outside any true region count in |M|
   expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 125}, {0, 75}})), 1, 0, 0, 0, 0);
   expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 126}, {0, 74}})), 0, 0, 0, 1, 1);
-  expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 60}, {0, 140}}), {.overlap = 0.6}), 1, 0, 0, 0, 0);
+  expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 60}, {0, 140}}), {.overlap = 0.6}), 1, 0, 0, 0,
+               0);
 }
 
 TEST(Score, OneTrueRegionInPiecesIsOverSegmented) {
@@ -107,10 +110,12 @@ TEST(Score, DoubleClassificationGoesToTheHigherScore) {
 
 TEST(Score, EqualScoresPreferCorrect) {
   // Correct with 1: 144/192 and 1 → 0.875. In two: pieces 1 and 24/32 → 0.875, cover 168/192 = 0.875.
-  const auto s = score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 24}, {2, 32}, {0, 42}}), {.overlap = 0.75});
+  const auto s =
+      score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 24}, {2, 32}, {0, 42}}), {.overlap = 0.75});
   expectCounts(s, 1, 0, 0, 0, 1);
   // one pixel more inside makes the pieces better
-  const auto over = score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 23}, {2, 32}, {0, 43}}), {.overlap = 0.75});
+  const auto over =
+      score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 23}, {2, 32}, {0, 43}}), {.overlap = 0.75});
   expectCounts(over, 0, 1, 0, 0, 0);
 }
 
@@ -126,7 +131,8 @@ TEST(Score, UnderAgainstCorrect) {
 }
 
 TEST(Score, SmallAndCurvedTruthIsNotCounted) {
-  const auto s = score(runs({{10, 99}, {11, 100}, {3, 500}, {9, 500}}), runs({{0, 99}, {2, 100}, {5, 500}, {0, 500}}));
+  const auto s =
+      score(runs({{10, 99}, {11, 100}, {3, 500}, {9, 500}}), runs({{0, 99}, {2, 100}, {5, 500}, {0, 500}}));
   EXPECT_EQ(s.truthRegions, 1u);
   expectCounts(s, 1, 0, 0, 0, 1);
   EXPECT_EQ(s.noiseOutside, 1u);  // the region on the curved surface
@@ -142,7 +148,8 @@ TEST(Score, EveryRegionIsClassifiedOnceWhateverTheLabels) {
     found.resize(truth.size());
     if (trial % 2 == 0)  // mostly right, so that all verdicts occur
       for (size_t i = 0; i < truth.size(); ++i)
-        if (random() % 10 != 0) found[i] = truth[i] / (trial % 4 == 0 ? 2 : 1) * 3 + (trial % 3 == 0 ? i % 2 : 0);
+        if (random() % 10 != 0)
+          found[i] = truth[i] / (trial % 4 == 0 ? 2 : 1) * 3 + (trial % 3 == 0 ? i % 2 : 0);
     const auto s = score(truth, found, {.overlap = 0.51 + 0.1 * (trial % 5), .minTruthPixels = 20});
     std::map<RegionVerdict, size_t> truths, founds;
     for (const auto& [label, verdict] : s.ofTruth) ++truths[verdict];
@@ -162,11 +169,12 @@ TEST(Score, EveryRegionIsClassifiedOnceWhateverTheLabels) {
 }
 
 class ScoreAngles : public ::testing::Test {
- protected:
+protected:
   // A 20 × 20 patch at z = 0, label 10, found as 1, with normals tilted by `tilt` degrees about y.
   void fill(double tilt) {
     const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-    const Eigen::Vector3f tilted(static_cast<float>(std::sin(degToRad(tilt))), 0, static_cast<float>(std::cos(degToRad(tilt))));
+    const Eigen::Vector3f tilted(static_cast<float>(std::sin(degToRad(tilt))), 0,
+                                 static_cast<float>(std::cos(degToRad(tilt))));
     for (int i = 0; i < 400; ++i) {
       const float x = static_cast<float>(i % 20), y = static_cast<float>(i / 20);
       truthPoints.emplace_back(x, y, 0.f);
@@ -194,7 +202,8 @@ TEST_F(ScoreAngles, PlaneAngleFromEachSource) {
   input.truthNormals = {};
   input.truthPoints = truthPoints;
   EXPECT_NEAR(*scoreSegmentation(input).planeAngleMaxDeg, 3, 1e-4);
-  input.foundPlaneNormals[1] = {0, std::sin(degToRad(7)), -std::cos(degToRad(7))};  // signs do not matter for planes
+  input.foundPlaneNormals[1] = {0, std::sin(degToRad(7)),
+                                -std::cos(degToRad(7))};  // signs do not matter for planes
   EXPECT_NEAR(*scoreSegmentation(input).pairs.at(0).angleErrorDeg, 7, 1e-4);
 }
 
