@@ -255,6 +255,66 @@ void refit(const Neurons& neurons, PlaneRegions& regions) {
   }
 }
 
+// Regions that met only after their borders had settled: the same rule of joining once more, on whole regions.
+void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules, PlaneRegions& regions, const Execution& execution) {
+  const Grid<std::int32_t>& region = regions.region;
+  std::vector<PatchSums> sums(regions.planes.size());
+  for (int i = 0; i < region.rows(); ++i)
+    for (int j = 0; j < region.cols(); ++j) {
+      const std::int32_t l = region({i, j});
+      if (l != kNoRegion && neurons.hasNormal({i, j})) neurons.addTo(sums[static_cast<size_t>(l)], {i, j});
+    }
+  PatchGraph graph;
+  for (const PatchSums& s : sums) graph.addPatch(s);
+  connectPatches(region, graph);
+  graph.joinAll(rules, execution);
+  for (std::int32_t& l : regions.region.values())
+    if (l != kNoRegion) l = graph.find(l);
+  refit(neurons, regions);
+}
+
+// A region whose neurons the planes around it explain nearly as well is no plane of its own, but a sliver astride a crease
+// or a ragged rest. Smallest first; each sees the ones before it gone.
+void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<char>& alive) {
+  constexpr double kNearlyAsWell = 0.7;  // mean growth of the squared error, in σ²
+  const Grid<std::int32_t>& region = regions.region;
+  std::vector<std::vector<std::int32_t>> around(regions.planes.size());
+  std::vector<std::vector<GridIndex>> members(regions.planes.size());
+  for (int i = 0; i < region.rows(); ++i)
+    for (int j = 0; j < region.cols(); ++j) {
+      const std::int32_t l = region({i, j});
+      if (l == kNoRegion) continue;
+      members[static_cast<size_t>(l)].push_back({i, j});
+      for (const GridIndex to : {GridIndex{i, j + 1}, GridIndex{i + 1, j}, GridIndex{i, j + 2}, GridIndex{i + 2, j}}) {
+        if (!region.contains(to) || region(to) == kNoRegion || region(to) == l) continue;
+        around[static_cast<size_t>(l)].push_back(region(to));
+        around[static_cast<size_t>(region(to))].push_back(l);
+      }
+    }
+  std::vector<size_t> order(regions.planes.size());
+  for (size_t l = 0; l < order.size(); ++l) order[l] = l;
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return regions.size[a] != regions.size[b] ? regions.size[a] < regions.size[b] : a < b; });
+  for (size_t l : order) {
+    if (!alive[l] || members[l].empty()) continue;
+    auto& others = around[l];
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    others.erase(std::remove_if(others.begin(), others.end(), [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; }), others.end());
+    if (others.empty()) continue;
+    double growth = 0;
+    for (const GridIndex& at : members[l]) {
+      auto misfit = [&](const RangePlane& plane) {
+        const double e = std::min(kFarSigmas, neurons.error(at, plane));
+        return e * e + 0.25 * std::min(16.0, neurons.tilt(at, plane));
+      };
+      double best = misfit(regions.planes[static_cast<size_t>(others.front())]);
+      for (std::int32_t o : others) best = std::min(best, misfit(regions.planes[static_cast<size_t>(o)]));
+      growth += best - misfit(regions.planes[l]);
+    }
+    if (growth < kNearlyAsWell * static_cast<double>(members[l].size())) alive[l] = 0;
+  }
+}
+
 }  // namespace
 
 PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
@@ -298,13 +358,16 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
     refit(neurons, regions);
   };
   settleBorders(4 * blockLines);
-  for (size_t l = 0; l < alive.size(); ++l)
-    alive[l] = regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
+  joinRegions(neurons, rules, regions, execution);
+  dissolveSlivers(neurons, regions, alive);
   settleBorders(4 * blockLines);
+  joinRegions(neurons, rules, regions, execution);
+  for (size_t l = 0; l < alive.size(); ++l)
+    alive[l] = alive[l] && regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
+  settleBorders(2 * blockLines);
   for (size_t o = 0; o < regions.region.size(); ++o) {
     std::int32_t& l = regions.region[o];
-    if (l != kNoRegion && regions.size[static_cast<size_t>(l)] < static_cast<size_t>(params.minPlanePoints))
-      l = kNoRegion;
+    if (l != kNoRegion && regions.size[static_cast<size_t>(l)] < static_cast<size_t>(params.minPlanePoints)) l = kNoRegion;
   }
   refit(neurons, regions);
   return regions;
