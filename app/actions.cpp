@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "app/main_window.h"
+#include "app/session.h"
+#include "widgets/cut_control.h"
+#include "widgets/theme.h"
+#include "widgets/view_area.h"
+
+namespace stratascope {
+
+Actions::Actions(MainWindow& window, Session& session, CutControl& cut)
+    : QObject(&window), window_(window), session_(session) {
+  buildFileMenu();
+  buildEditMenu();
+  buildViewMenu();
+  QMenu* help = window_.menuBar()->addMenu(tr("&Help"));
+  add(help, tr("&About Stratascope"), {}, {}, {}, [this] { window_.showAbout(); });
+  buildToolBar(cut);
+  setHasResult(false);
+}
+
+QAction* Actions::add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key, const QString& tip,
+                      std::function<void()> act) {
+  QAction* action = menu->addAction(text);
+  if (!icon.isEmpty()) setThemedIcon(action, icon);
+  action->setShortcut(key);
+  if (!tip.isEmpty())
+    action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  connect(action, &QAction::triggered, this, std::move(act));
+  return action;
+}
+
+void Actions::buildFileMenu() {
+  QMenu* file = window_.menuBar()->addMenu(tr("&File"));
+  open_ = add(file, tr("&Open…"), "open", QKeySequence::Open, tr("Open one scan, or several into one map"),
+              [this] { window_.chooseFiles(); });
+  recent_ = file->addMenu(tr("Open &recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &Actions::fillRecent);
+  fillRecent();
+  connect(&session_, &Session::recentChanged, this, &Actions::fillRecent);
+  reload_ = add(file, tr("Re&load"), "reload", QKeySequence(Qt::Key_F5), tr("Read the files again"),
+                [this] { window_.reload(); });
+  file->addSeparator();
+  export_ = add(file, tr("&Export…"), "export", QKeySequence(Qt::CTRL | Qt::Key_E),
+                tr("Write cloud, planes, edges and both maps into a folder"), [this] { window_.exportResultsTo(); });
+  picture_ = add(file, tr("&Save picture…"), "picture", QKeySequence::Save, tr("Save a picture of the views"),
+                 [this] { window_.savePicture(); });
+  file->addSeparator();
+  add(file, tr("&Quit"), {}, QKeySequence::Quit, {}, [this] { window_.close(); });
+  needResult_ = {reload_, export_, picture_};
+}
+
+void Actions::fillRecent() {
+  recent_->clear();
+  for (const QString& path : session_.recentFiles()) {
+    QAction* action = recent_->addAction(QFileInfo(path).fileName());
+    action->setToolTip(path);
+    connect(action, &QAction::triggered, this, [this, path] { window_.openFiles({path}); });
+  }
+  recent_->setToolTipsVisible(true);
+  recent_->menuAction()->setEnabled(!recent_->isEmpty());
+}
+
+void Actions::buildEditMenu() {
+  QMenu* edit = window_.menuBar()->addMenu(tr("&Edit"));
+  add(edit, tr("&Load parameters…"), {}, {}, {}, [this] { window_.loadParamsFrom(); });
+  add(edit, tr("&Save parameters…"), {}, {}, {}, [this] { window_.saveParamsTo(); });
+  needResult_.push_back(add(edit, tr("&Copy as command line"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), {},
+                            [this] { window_.copyCommandLine(); }));
+  edit->addSeparator();
+  add(edit, tr("Clear selectio&n"), {}, {}, {}, [this] { window_.selection().clear(); });
+}
+
+void Actions::buildViewMenu() {
+  QMenu* view = window_.menuBar()->addMenu(tr("&View"));
+  const auto look = [this](ViewDirection direction) { return [this, direction] { window_.views().look(direction); }; };
+  reset_ = add(view, tr("&Reset"), "reset", QKeySequence(Qt::Key_R), tr("Fit the data into all views"),
+               look(ViewDirection::Iso));
+  view->addSeparator();
+  directions_ = {
+      add(view, tr("&Oblique"), "iso", QKeySequence(Qt::Key_5), tr("From behind the sensor, from above"), look(ViewDirection::Iso)),
+      add(view, tr("&Top"), "top", QKeySequence(Qt::Key_7), tr("From above"), look(ViewDirection::Top)),
+      add(view, tr("&Front"), "front", QKeySequence(Qt::Key_1), tr("As the sensor looks"), look(ViewDirection::Front)),
+      add(view, tr("&Side"), "side", QKeySequence(Qt::Key_3), tr("From the right"), look(ViewDirection::Side))};
+  view->addSeparator();
+  link_ = add(view, tr("&Link cameras"), "link", QKeySequence(Qt::Key_L), tr("Turn all three views together"), [] {});
+  link_->setCheckable(true);
+  link_->setChecked(true);
+  connect(link_, &QAction::toggled, this, [this](bool on) { window_.views().setLinked(on); });
+  QAction* edges = add(view, tr("&Vertical edges"), {}, QKeySequence(Qt::Key_E), {}, [] {});
+  edges->setCheckable(true);
+  connect(edges, &QAction::toggled, this, [this](bool on) { window_.views().cloud()->setEdgesVisible(on); });
+  view->addSeparator();
+
+  QMenu* theme = view->addMenu(tr("&Appearance"));
+  auto* group = new QActionGroup(this);
+  const std::pair<Theme, QString> themes[] = {
+      {Theme::System, tr("As the desktop")}, {Theme::Light, tr("Light")}, {Theme::Dark, tr("Dark")}};
+  for (const auto& [value, name] : themes) {
+    QAction* action = theme->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(value == session_.theme());
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, v = value] { session_.setTheme(v); });
+  }
+  view->addSeparator();
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
+  QAction* full = add(view, tr("F&ull screen"), {}, QKeySequence(Qt::Key_F11), {}, [] {});
+  full->setCheckable(true);
+  connect(full, &QAction::toggled, this, [this](bool on) {
+    window_.setWindowState(on ? window_.windowState() | Qt::WindowFullScreen
+                              : window_.windowState() & ~Qt::WindowFullScreen);
+  });
+}
+
+void Actions::buildToolBar(CutControl& cut) {
+  auto* bar = window_.addToolBar(tr("Tools"));
+  bar->setObjectName("toolBar");
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  for (QAction* action : {open_, reload_, export_, picture_}) bar->addAction(action);
+  for (QAction* action : {open_, export_}) {
+    auto* button = static_cast<QToolButton*>(bar->widgetForAction(action));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setText(action->text().remove('&').remove(QStringLiteral("…")));
+  }
+  bar->addSeparator();
+  bar->addAction(reset_);
+  for (QAction* action : directions_) bar->addAction(action);
+  bar->addAction(link_);
+  bar->addSeparator();
+  bar->addWidget(&cut);
+  needResult_.push_back(reset_);
+  needResult_.insert(needResult_.end(), directions_.begin(), directions_.end());
+}
+
+void Actions::setHasResult(bool hasResult) {
+  for (QAction* action : needResult_) action->setEnabled(hasResult);
+}
+
+}  // namespace stratascope

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/actions.h"
+#include "app/session.h"
+#include "app/welcome_page.h"
+#include "widgets/cut_control.h"
+#include "widgets/message_bar.h"
+#include "widgets/param_panel.h"
+#include "widgets/plane_table.h"
+#include "widgets/probe_panel.h"
+#include "widgets/status_strip.h"
+#include "widgets/view_area.h"
+
+namespace stratascope {
+
+MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
+  setWindowTitle(tr("Stratascope"));
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  resize(1440, 900);
+
+  bridge_ = new PipelineBridge(this);
+  session_ = new Session(keep == Keep::Session, this);
+
+  message_ = new MessageBar;
+  views_ = new ViewArea(selection_);
+  welcome_ = new WelcomePage;
+  pages_ = new QStackedWidget;
+  pages_->addWidget(welcome_);
+  pages_->addWidget(views_);
+  auto* centre = new QWidget;
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(message_);
+  layout->addWidget(pages_, 1);
+  setCentralWidget(centre);
+
+  cut_ = new CutControl;
+  status_ = new StatusStrip;
+  hint_ = new QLabel(tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move"));
+  hint_->setObjectName("muted");
+  hint_->setContentsMargins(8, 0, 0, 0);
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(status_);
+  statusBar()->setSizeGripEnabled(false);
+
+  buildDocks();
+  actions_ = new Actions(*this, *session_, *cut_);
+  connectParts();
+  welcome_->setRecent(session_->recentFiles());
+  session_->restore(*this);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildDocks() {
+  const auto dock = [this](const QString& title, const QString& name, QWidget* widget, Qt::DockWidgetArea area) {
+    auto* d = new QDockWidget(title, this);
+    d->setObjectName(name);
+    d->setWidget(widget);
+    d->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetFloatable);
+    addDockWidget(area, d);
+    return d;
+  };
+  params_ = new ParamPanel;
+  probe_ = new ProbePanel(selection_);
+  planes_ = new PlaneTable(selection_);
+  auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
+  auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
+  auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
+  resizeDocks({left, upper}, {290, 310}, Qt::Horizontal);
+  resizeDocks({upper, lower}, {400, 420}, Qt::Vertical);
+}
+
+void MainWindow::connectParts() {
+  connect(params_, &ParamPanel::paramsChanged, bridge_, &PipelineBridge::setParams);
+  connect(bridge_, &PipelineBridge::geometryChanged, this, &MainWindow::takeGeometry);
+  connect(bridge_, &PipelineBridge::failed, this, &MainWindow::showError);
+  connect(bridge_, &PipelineBridge::progressChanged, this, [this](bool, int stage) {
+    stage_ = stage;
+    showProgress();
+  });
+  connect(status_, &StatusStrip::cancelled, bridge_, &PipelineBridge::cancel);
+  connect(cut_, &CutControl::cutChosen, this, [this](std::optional<double> cut) {
+    ViewOptions options = bridge_->viewOptions();
+    options.cut = cut;
+    bridge_->setViewOptions(options);
+  });
+  connect(views_->cloud(), &CloudView::colouringChosen, this, [this](CloudColouring colouring) {
+    ViewOptions options = bridge_->viewOptions();
+    options.colouring = colouring;
+    bridge_->setViewOptions(options);
+  });
+  connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::chooseFiles);
+  connect(welcome_, &WelcomePage::fileChosen, this, [this](const QString& path) { openFiles({path}); });
+  connect(session_, &Session::recentChanged, welcome_, &WelcomePage::setRecent);
+}
+
+SnapshotPtr MainWindow::snapshot() const { return bridge_->geometry() ? bridge_->geometry()->snapshot : nullptr; }
+
+void MainWindow::setParams(const PipelineParams& params) {
+  params_->setParams(params);
+  bridge_->setParams(params);
+}
+
+void MainWindow::takeGeometry() {
+  const ViewGeometryPtr& geometry = bridge_->geometry();
+  const Snapshot& snapshot = *geometry->snapshot;
+  std::vector<ScanPtr> scans;
+  for (const ScanProducts& products : snapshot.scans) scans.push_back(products.scan);
+  const bool otherScans = scans != shownScans_;
+  // What was selected means something else in other scans, and a cell's numbers in another grid.
+  const bool otherGrid = snapshot.params.grid.cell != shownCell_;
+  if (otherScans || (otherGrid && std::holds_alternative<CellIndex>(selection_.get()))) {
+    probe_->setGeometry(nullptr);
+    selection_.clear();
+  }
+  shownScans_ = scans;
+  shownCell_ = snapshot.params.grid.cell;
+
+  views_->setGeometry(geometry);
+  probe_->setGeometry(geometry);
+  planes_->setGeometry(geometry);
+  cut_->setGeometry(*geometry);
+  status_->setStages(snapshot);
+  actions_->setHasResult(true);
+  if (!otherScans) return;
+
+  pages_->setCurrentWidget(views_);
+  QStringList names, notes;
+  for (const ScanPtr& scan : scans) {
+    if (!scan) continue;
+    names << QString::fromStdString(scan->name);
+    for (const std::string& note : scan->notes) notes << QString::fromStdString(note);
+  }
+  setWindowTitle(tr("%1 — Stratascope").arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
+                                                             : names.join(QStringLiteral(", "))));
+  hint_->setToolTip(notes.join('\n'));
+  if (!notes.isEmpty()) statusBar()->showMessage(notes.join(QStringLiteral("  ·  ")), 8000);
+  // The views get their size in the next turn of the event loop.
+  QTimer::singleShot(0, this, [this] { views_->look(ViewDirection::Iso); });
+}
+
+void MainWindow::showError(const QString& message) {
+  message_->showError(message);
+  emit failed(message);
+}
+
+void MainWindow::showProgress() {
+  if (reading_ > 0)
+    status_->setProgress(true, -1, tr("Reading"));
+  else
+    status_->setProgress(bridge_->busy(), stage_);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  if (!paths.isEmpty()) openFiles(paths);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  session_->save(*this);
+  bridge_->cancel();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape)
+    selection_.clear();
+  else
+    QMainWindow::keyPressEvent(event);
+}
+
+}  // namespace stratascope

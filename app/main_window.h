@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <QMainWindow>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "io/scan_io.h"
+#include "widgets/background.h"
+#include "widgets/pipeline_bridge.h"
+#include "widgets/selection.h"
+
+class QLabel;
+class QStackedWidget;
+
+namespace stratascope {
+
+class Actions;
+class CutControl;
+class MessageBar;
+class ParamPanel;
+class PlaneTable;
+class ProbePanel;
+class Session;
+class StatusStrip;
+class ViewArea;
+class WelcomePage;
+
+/// Docks and menus around the three views; says to the other parts what happened, decides nothing of its own.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// With a session, recent files and the window's shape are kept between runs.
+  enum class Keep { Session, Nothing };
+  explicit MainWindow(Keep keep, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a file, or none.
+  void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
+  void setParams(const PipelineParams& params);
+
+  /// Nothing is being read, computed or drawn.
+  bool idle() const { return reading_ == 0 && !bridge_->busy(); }
+  SnapshotPtr snapshot() const;
+
+  PipelineBridge& bridge() { return *bridge_; }
+  Selection& selection() { return selection_; }
+  ViewArea& views() { return *views_; }
+  ParamPanel& paramPanel() { return *params_; }
+  ProbePanel& probePanel() { return *probe_; }
+  MessageBar& messageBar() { return *message_; }
+
+ public slots:
+  void chooseFiles();
+  void reload();
+  void exportResultsTo();
+  void savePicture();
+  void loadParamsFrom();
+  void saveParamsTo();
+  void copyCommandLine();
+  void showAbout();
+
+ signals:
+  void opened();
+  void failed(const QString& message);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void buildDocks();
+  void connectParts();
+  void takeGeometry();
+  void showError(const QString& message);
+  void showProgress();
+  void exportTo(const QString& directory);
+
+  Selection selection_;
+  PipelineBridge* bridge_;
+  ViewArea* views_;
+  WelcomePage* welcome_;
+  QStackedWidget* pages_;
+  MessageBar* message_;
+  ParamPanel* params_;
+  ProbePanel* probe_;
+  PlaneTable* planes_;
+  CutControl* cut_;
+  StatusStrip* status_;
+  QLabel* hint_;
+  Session* session_;
+  Actions* actions_;
+
+  QStringList paths_;
+  std::vector<Eigen::Isometry3d> poses_;
+  std::vector<ScanPtr> shownScans_;
+  double shownCell_ = 0;
+  int reading_ = 0;
+  int requested_ = 0;  ///< opening a newer file makes an older reading pointless
+  int stage_ = -1;
+  // Last: its jobs end before what they report to goes.
+  Background background_;
+};
+
+}  // namespace stratascope

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the main window does with files: reading and writing happen off its thread.
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QStatusBar>
+
+#include "app/main_window.h"
+#include "app/session.h"
+#include "io/export.h"
+#include "io/file_util.h"
+#include "params/param_table.h"
+#include "widgets/message_bar.h"
+#include "widgets/param_panel.h"
+#include "widgets/view_area.h"
+
+namespace stratascope {
+namespace {
+
+std::string native(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+QString fileFilter() {
+  QStringList patterns;
+  for (const FormatInfo& format : scanFormats())
+    for (const char* extension : format.extensions) patterns << QStringLiteral("*") + extension;
+  patterns.removeDuplicates();
+  return QObject::tr("Scans (%1);;All files (*)").arg(patterns.join(' '));
+}
+
+struct ReadResult {
+  std::vector<ScanPtr> scans;
+  QString error;
+};
+
+ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eigen::Isometry3d>& poses) {
+  ReadResult out;
+  try {
+    for (size_t i = 0; i < paths.size(); ++i) {
+      ReadOptions options;
+      if (!poses.empty()) options.pose = poses[std::min(i, poses.size() - 1)];
+      Expected<Scan> scan = readScan(paths[i], options);
+      if (!scan) {
+        out.error = QString::fromStdString(scan.error().message());
+        return out;
+      }
+      out.scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
+    }
+  } catch (const std::exception& e) {
+    out.error = QObject::tr("%1: could not be read: %2")
+                    .arg(QString::fromStdString(paths.empty() ? std::string() : paths.front()), QString::fromUtf8(e.what()));
+  }
+  return out;
+}
+
+}  // namespace
+
+void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
+  if (paths.isEmpty()) return;
+  std::vector<std::string> names;
+  for (const QString& path : paths) names.push_back(native(path));
+  const int request = ++requested_;
+  ++reading_;
+  showProgress();
+  background_.run(
+      this, [names, poses] { return readAll(names, poses); },
+      [this, paths, poses, request](ReadResult result) {
+        --reading_;
+        if (request == requested_) {
+          if (result.error.isEmpty()) {
+            message_->hide();
+            paths_ = paths;
+            poses_ = poses;
+            session_->addRecent(paths);
+            bridge_->setScans(std::move(result.scans));
+            emit opened();
+          } else {
+            showError(result.error);
+          }
+        }
+        showProgress();
+      });
+}
+
+void MainWindow::chooseFiles() {
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(this, tr("Open scans"), session_->lastDirectory(), fileFilter());
+  openFiles(paths);
+}
+
+void MainWindow::reload() {
+  if (!paths_.isEmpty()) openFiles(paths_, poses_);
+}
+
+void MainWindow::exportResultsTo() {
+  if (!snapshot()) return;
+  const QString directory = QFileDialog::getExistingDirectory(this, tr("Export maps, planes and cloud into a folder"),
+                                                              session_->lastDirectory());
+  if (!directory.isEmpty()) exportTo(directory);
+}
+
+void MainWindow::exportTo(const QString& directory) {
+  const SnapshotPtr result = snapshot();
+  statusBar()->showMessage(tr("Exporting to %1 …").arg(directory));
+  background_.run(
+      this,
+      [result, folder = native(directory)]() -> QString {
+        try {
+          const auto written = exportResults(*result, folder);
+          return written ? QString() : QString::fromStdString(written.error().message());
+        } catch (const std::exception& e) {
+          return QString::fromUtf8(e.what());
+        }
+      },
+      [this, directory](const QString& error) {
+        statusBar()->clearMessage();
+        if (error.isEmpty())
+          statusBar()->showMessage(tr("Exported to %1").arg(directory), 6000);
+        else
+          showError(error);
+      });
+}
+
+void MainWindow::savePicture() {
+  if (!snapshot()) return;
+  // Grabbed before the dialog, which may cover the views.
+  const QPixmap picture = views_->grab();
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Save picture of the views"), session_->lastDirectory() + QStringLiteral("/stratascope.png"), tr("PNG (*.png)"));
+  if (path.isEmpty()) return;
+  if (picture.save(path, path.endsWith(".png", Qt::CaseInsensitive) ? nullptr : "PNG"))
+    statusBar()->showMessage(tr("Saved %1").arg(path), 6000);
+  else
+    showError(tr("%1: cannot be written; choose another folder").arg(path));
+}
+
+void MainWindow::loadParamsFrom() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Load parameters"), session_->lastDirectory(),
+                                                    tr("Parameters (*.json);;All files (*)"));
+  if (path.isEmpty()) return;
+  const auto params = loadParams(native(path));
+  if (params)
+    setParams(*params);
+  else
+    showError(QString::fromStdString(params.error().message()));
+}
+
+void MainWindow::saveParamsTo() {
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Save parameters"), session_->lastDirectory() + QStringLiteral("/parameters.json"), tr("Parameters (*.json)"));
+  if (path.isEmpty()) return;
+  const Status written = writeFileAtomically(native(path), paramsToJson(params_->params()));
+  if (!written) showError(QString::fromStdString(written.error().message()));
+}
+
+void MainWindow::copyCommandLine() {
+  QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")};
+  for (QString path : paths_) words << QStringLiteral("'") + path.replace('\'', "'\\''") + QStringLiteral("'");
+  words << QStringLiteral("--out") << QStringLiteral("results");
+  const QString options = QString::fromStdString(paramsAsOptions(params_->params()));
+  if (!options.isEmpty()) words << options;
+  QApplication::clipboard()->setText(words.join(' '));
+  statusBar()->showMessage(tr("Copied: %1").arg(words.join(' ')), 6000);
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Stratascope"),
+                     tr("<h3>Stratascope %1</h3><p>2.5D and extended 2.5D maps from scans of a rotating laser scanner, "
+                        "through a cellular neural network.</p><p>BSD-3-Clause</p>")
+                         .arg(QString::fromUtf8(versionText())));
+}
+
+}  // namespace stratascope

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layers/point_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+#include "cnn/layer.h"
+
+namespace stratascope {
+
+PointImage computePoints(const Scan& scan, const RangeParams& params, const Execution& execution) {
+  const Grid<Eigen::Vector3f>& measured = scan.lattice->points();
+  const Eigen::Vector3d origin = scan.pose.scan_T_sensor.translation();
+  const double nearest = std::max(params.minRange, scan.ownBodyRange);
+  const double farthest = params.maxRange > 0 ? params.maxRange : std::numeric_limits<double>::infinity();
+
+  PointImage image;
+  image.range = feedForward<float>(
+      measured.rows(), measured.cols(),
+      [&](GridIndex at) {
+        const double r = (measured(at).cast<double>() - origin).norm();
+        return r > 0 && r >= nearest && r <= farthest ? static_cast<float>(r) : kNaNf;
+      },
+      execution);
+  image.points = feedForward<Eigen::Vector3f>(
+      measured.rows(), measured.cols(),
+      [&](GridIndex at) -> Eigen::Vector3f {
+        if (std::isnan(image.range(at))) return Eigen::Vector3f::Constant(kNaNf);
+        return (scan.pose.map_T_scan * measured(at).cast<double>()).cast<float>();
+      },
+      execution);
+
+  const Eigen::Isometry3d map_T_sensor = scan.pose.map_T_sensor();
+  image.sensor = map_T_sensor.translation();
+  const Eigen::Vector3d forward = map_T_sensor.linear().col(0);
+  const Eigen::Vector3d horizontal(forward.x(), forward.y(), 0);
+  // A sensor that looks straight up or down has no horizontal viewing direction; the map's x axis serves.
+  image.viewing =
+      horizontal.norm() > 1e-6 ? Eigen::Vector3d(horizontal.normalized()) : Eigen::Vector3d::UnitX();
+  size_t kept = 0;
+  for (float r : image.range.values()) kept += std::isnan(r) ? 0 : 1;
+  image.ownBody = image.range.size() - scan.lattice->missingCount() - kept;
+  return image;
+}
+
+}  // namespace stratascope

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layers/surface_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/units.h"
+#include "cnn/layer.h"
+#include "cnn/neighbourhood.h"
+#include "cnn/template_network.h"
+#include "layers/lattice_steps.h"
+
+namespace stratascope {
+
+SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,
+                              double toleranceDeg) {
+  const double least = std::cos(degToRad(toleranceDeg));
+  if (std::abs(normal.z()) >= least) return SurfaceClass::Horizontal;
+  if (std::abs(normal.dot(facing)) >= least) return SurfaceClass::Facing;
+  const Eigen::Vector3d side(-facing.y(), facing.x(), 0);
+  if (std::abs(normal.dot(side)) >= least) return SurfaceClass::Side;
+  return SurfaceClass::Oblique;
+}
+
+double dominantWallDirection(const PointImage& points, const NormalImage& normals) {
+  const double viewing = std::atan2(points.viewing.y(), points.viewing.x());
+  constexpr int kBins = 90;  // one degree each, modulo 90°
+  std::vector<double> count(kBins, 0.0);
+  auto binAngle = [](const Eigen::Vector3f& n) {
+    double a = std::fmod(radToDeg(std::atan2(double(n.y()), double(n.x()))), 90.0);
+    return a < 0 ? a + 90.0 : a;
+  };
+  auto isWall = [](const Eigen::Vector3f& n) {
+    return std::abs(n.z()) < 0.26f;
+  };  // within 15° of upright; false for NaN
+  for (const Eigen::Vector3f& n : normals.normals.values())
+    if (isWall(n)) count[static_cast<size_t>(std::min(kBins - 1, static_cast<int>(binAngle(n))))] += 1;
+  int peak = 0;
+  double most = 0;
+  for (int b = 0; b < kBins; ++b) {  // smoothed over ±2°, so a spread peak still wins
+    double sum = 0;
+    for (int d = -2; d <= 2; ++d) sum += count[static_cast<size_t>((b + d + kBins) % kBins)];
+    if (sum > most) most = sum, peak = b;
+  }
+  if (most < 100) return viewing;
+  double offset = 0, weight = 0;  // mean within ±5° of the peak
+  for (const Eigen::Vector3f& n : normals.normals.values()) {
+    if (!isWall(n)) continue;
+    double d = binAngle(n) - (peak + 0.5);
+    if (d > 45) d -= 90;
+    if (d < -45) d += 90;
+    if (std::abs(d) <= 5) offset += d, weight += 1;
+  }
+  double yaw = degToRad(peak + 0.5 + offset / std::max(1.0, weight));
+  return yaw + std::round((viewing - yaw) / (kPi / 2)) * (kPi / 2);
+}
+
+namespace {
+
+bool isSurface(SurfaceClass c) {
+  return c >= SurfaceClass::Facing && c <= SurfaceClass::Oblique;
+}
+bool known(const Eigen::Vector3f& n) {
+  return n.x() == n.x();
+}
+
+class EdgeRule {
+public:
+  EdgeRule(const PointImage& points, const NormalImage& normals, const LatticeSteps& steps,
+           const ClassParams& params)
+      : points_(points),
+        normals_(normals),
+        steps_(steps),
+        cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))) {}
+
+  /// An edge class, or Unknown if the neuron is on no edge.
+  SurfaceClass operator()(GridIndex at) const {
+    if (!valid(at)) return SurfaceClass::Unknown;
+    SurfaceClass crease = SurfaceClass::Unknown;
+    for (const GridIndex& d : kLatticeDirections) {
+      const GridIndex to{at.row + d.row, at.col + d.col};
+      if (!valid(to)) continue;
+      if (isJump(at, to, d)) return SurfaceClass::JumpEdge;
+      const SurfaceClass c = creaseBetween(at, to);
+      if (c != SurfaceClass::Unknown) crease = c;
+    }
+    if (crease != SurfaceClass::Unknown || known(normals_.normals(at))) return crease;
+    // No window fits a neuron right on a crease: look at the surfaces on both sides of it.
+    for (size_t d = 0; d < 4; ++d)
+      for (int reach : {1, 2}) {
+        const GridIndex a{at.row + reach * kLatticeDirections[d].row,
+                          at.col + reach * kLatticeDirections[d].col};
+        const GridIndex b{at.row - reach * kLatticeDirections[d].row,
+                          at.col - reach * kLatticeDirections[d].col};
+        if (!valid(a) || !valid(b)) continue;
+        const SurfaceClass c = creaseBetween(a, b);
+        if (c != SurfaceClass::Unknown) return c;
+      }
+    return SurfaceClass::Unknown;
+  }
+
+private:
+  bool valid(GridIndex i) const { return points_.range.contains(i) && points_.range(i) == points_.range(i); }
+
+  // Length of a lattice step on the surface at a neuron; without a normal, as if it were seen at 75°.
+  double stepLength(GridIndex at, GridIndex direction) const {
+    const LatticeSteps::Step step = steps_.at(at);
+    const double angle = std::hypot(direction.row * double(step.line), direction.col * double(step.beam));
+    double cosine = 0.26;
+    const Eigen::Vector3f& n = normals_.normals(at);
+    if (known(n)) {
+      const Eigen::Vector3f q = points_.points(at) - points_.sensor.cast<float>();
+      cosine = std::max(0.05, std::abs(double(n.dot(q))) / points_.range(at));
+    }
+    return points_.range(at) * angle / cosine;
+  }
+
+  // The depth breaks off where two neighbours are farther apart than both surfaces together account for.
+  bool isJump(GridIndex a, GridIndex b, GridIndex direction) const {
+    const double distance = (points_.points(a) - points_.points(b)).norm();
+    const double noise = 6 * normals_.noise.sigmaAt(points_.range(a));
+    return distance > 2 * (stepLength(a, direction) + stepLength(b, direction)) + noise;
+  }
+
+  SurfaceClass creaseBetween(GridIndex a, GridIndex b) const {
+    const Eigen::Vector3f &n1 = normals_.normals(a), &n2 = normals_.normals(b);
+    if (!known(n1) || !known(n2) || n1.dot(n2) >= cosParallel_) return SurfaceClass::Unknown;
+    return (n2 - n1).dot(points_.points(b) - points_.points(a)) > 0 ? SurfaceClass::ConvexEdge
+                                                                    : SurfaceClass::ConcaveEdge;
+  }
+
+  const PointImage& points_;
+  const NormalImage& normals_;
+  const LatticeSteps& steps_;
+  float cosParallel_;
+};
+
+// One majority network a surface class, run on the image of that class; the class whose network answers most
+// strongly wins.
+void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
+  constexpr int kSteps = 3;  // strays up to a few neurons vanish, straight borders do not move
+  const Grid<SurfaceClass> before = classes;
+  Grid<double> strongest(classes.rows(), classes.cols(), 0.0);
+  for (int c = static_cast<int>(SurfaceClass::Facing); c <= static_cast<int>(SurfaceClass::Oblique); ++c) {
+    const auto wanted = static_cast<SurfaceClass>(c);
+    Grid<double> image(classes.rows(), classes.cols());
+    bool any = false;
+    for (size_t o = 0; o < image.size(); ++o) {
+      image[o] = !isSurface(before[o]) ? 0 : before[o] == wanted ? 1 : -1;
+      any = any || image[o] > 0;
+    }
+    if (!any) continue;
+    TemplateNetwork network(template_library::majority(), image,
+                            Grid<double>(classes.rows(), classes.cols(), 0.0), 0);
+    for (int t = 0; t < kSteps; ++t) network.stepDiscrete(execution);
+    for (size_t o = 0; o < image.size(); ++o) {
+      if (!isSurface(before[o])) continue;
+      const double strength = network.state()[o];
+      if (strength > strongest[o]) strongest[o] = strength, classes[o] = wanted;
+    }
+  }
+}
+
+}  // namespace
+
+ClassImage computeClasses(const PointImage& points, const NormalImage& normals, const ClassParams& params,
+                          const Execution& execution) {
+  ClassImage image;
+  image.wallDirection = params.alignWalls ? dominantWallDirection(points, normals)
+                                          : std::atan2(points.viewing.y(), points.viewing.x());
+  const Eigen::Vector3d facing(std::cos(image.wallDirection), std::sin(image.wallDirection), 0);
+  const LatticeSteps steps = measureLatticeSteps(points, execution);
+  const EdgeRule edge(points, normals, steps, params);
+  image.classes = feedForward<SurfaceClass>(
+      points.range.rows(), points.range.cols(),
+      [&](GridIndex at) {
+        const SurfaceClass onEdge = edge(at);
+        if (onEdge != SurfaceClass::Unknown) return onEdge;
+        const Eigen::Vector3f& n = normals.normals(at);
+        return known(n) ? classOfDirection(n.cast<double>(), facing, params.classToleranceDeg)
+                        : SurfaceClass::Unknown;
+      },
+      execution);
+  if (params.clean) cleanSurfaces(image.classes, execution);
+  return image;
+}
+
+}  // namespace stratascope

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layers/window_sums.h"
+
+#include <cmath>
+
+namespace stratascope {
+
+void WindowSums::build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine) {
+  first_ = firstLine, end_ = endLine;
+  const int beams = image.points.cols();
+  stride_ = static_cast<size_t>(beams) + 1;
+  table_.resize(static_cast<size_t>(endLine - firstLine + 1) * stride_);
+  std::fill(table_.begin(), table_.begin() + static_cast<std::ptrdiff_t>(stride_), Entry{});
+  for (int i = firstLine; i < endLine; ++i) {
+    const Entry* above = &table_[static_cast<size_t>(i - firstLine) * stride_];
+    Entry* out = &table_[static_cast<size_t>(i - firstLine + 1) * stride_];
+    out[0] = Entry{};
+    Entry line{};
+    for (int j = 0; j < beams; ++j) {
+      const double r = image.range({i, j});
+      if (r == r) {
+        const Eigen::Vector3d q = image.points({i, j}).cast<double>() - image.sensor;
+        const double sigma = noise.sigmaAt(r) / r;
+        const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(),
+                             q.y() * q.z(), q.z() * q.z(), q.x(),         q.y(),
+                             q.z(),         1.0,           sigma * sigma};
+        for (size_t t = 0; t < kTerms; ++t) line[t] += terms[t];
+      }
+      for (size_t t = 0; t < kTerms; ++t) out[j + 1][t] = above[j + 1][t] + line[t];
+    }
+  }
+}
+
+WindowSums::Sums WindowSums::over(const LatticeWindow& window) const {
+  Sums sums;
+  if (window.empty()) return sums;
+  const Entry &a = at(window.top, window.left), &b = at(window.top, window.right + 1),
+              &c = at(window.bottom + 1, window.left), &d = at(window.bottom + 1, window.right + 1);
+  Entry s;
+  for (size_t t = 0; t < kTerms; ++t) s[t] = (d[t] - b[t]) - (c[t] - a[t]);
+  RangePlaneSums& f = sums.fit;
+  f.xx = s[0], f.xy = s[1], f.xz = s[2], f.yy = s[3], f.yz = s[4], f.zz = s[5], f.x = s[6], f.y = s[7],
+  f.z = s[8];
+  f.w = f.n = s[9];
+  sums.expected = s[10];
+  return sums;
+}
+
+}  // namespace stratascope

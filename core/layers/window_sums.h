@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "layers/products.h"
+#include "layers/range_noise.h"
+#include "layers/range_plane_fit.h"
+
+namespace stratascope {
+
+/// Rectangle of neurons, bounds included.
+struct LatticeWindow {
+  int top = 0, bottom = -1, left = 0, right = -1;
+  bool empty() const { return bottom < top || right < left; }
+  double area() const { return empty() ? 0 : double(bottom - top + 1) * double(right - left + 1); }
+};
+
+/// Summed-area tables of the regression's sums over some lines of a lattice: any window's sums in constant
+/// time. Unweighted sums of q (not of u or r²q) keep near and far neurons within the precision of double.
+class WindowSums {
+public:
+  struct Sums {
+    RangePlaneSums fit;   ///< weight 1
+    double expected = 0;  ///< Σ σ²/r²: what the residual would be from range noise alone
+  };
+
+  /// Lines [firstLine, endLine) of the image. Reuses its memory.
+  void build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine);
+  /// Of a window that lies within those lines.
+  Sums over(const LatticeWindow& window) const;
+  int firstLine() const { return first_; }
+  int endLine() const { return end_; }
+
+private:
+  static constexpr int kTerms = 11;
+  using Entry = std::array<double, kTerms>;
+  const Entry& at(int line, int beam) const {
+    return table_[static_cast<size_t>(line - first_) * stride_ + static_cast<size_t>(beam)];
+  }
+  int first_ = 0, end_ = 0;
+  size_t stride_ = 0;
+  std::vector<Entry> table_;  // one row and one column of zeros before the first
+};
+
+}  // namespace stratascope

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/objects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "layers/lattice_steps.h"
+#include "layers/surface_class.h"
+#include "segment/plane_fit.h"
+#include "segment/plane_regions.h"
+
+namespace stratascope {
+
+namespace {
+
+struct Members {
+  std::vector<Eigen::Vector3d> points;
+  std::size_t first = 0;
+  double area = 0;
+  PointMoments moments;
+};
+
+std::vector<Members> collect(const PointImage& image, const PlaneRegions& regions) {
+  std::vector<Members> members(regions.planes.size());
+  for (size_t l = 0; l < members.size(); ++l) members[l].points.reserve(regions.size[l]);
+  const LatticeSteps steps = measureLatticeSteps(image);
+  for (size_t o = 0; o < regions.region.size(); ++o) {
+    const std::int32_t l = regions.region[o];
+    if (l == kNoRegion) continue;
+    Members& m = members[static_cast<size_t>(l)];
+    if (m.points.empty()) m.first = o;
+    const Eigen::Vector3d p = image.points[o].cast<double>();
+    m.points.push_back(p);
+    m.moments.add(p);
+    // The solid angle of one neuron, laid on the plane it sees.
+    const double r = image.range[o];
+    const LatticeSteps::Step step = steps.at(image.range.index(o));
+    m.area += r * r * step.line * step.beam /
+              std::max(0.05, regions.planes[static_cast<size_t>(l)].cosIncidence(p - image.sensor));
+  }
+  return members;
+}
+
+// Andrew's monotone chain in the plane's own coordinates; u × v = normal, so counter-clockwise is as the
+// sensor sees it.
+std::vector<Eigen::Vector3d> convexHull(const std::vector<Eigen::Vector3d>& points, const Plane& plane) {
+  const Eigen::Vector3d helper =
+      std::abs(plane.normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d u = helper.cross(plane.normal).normalized(), v = plane.normal.cross(u);
+  std::vector<Eigen::Vector2d> flat;
+  flat.reserve(points.size());
+  for (const auto& p : points) flat.emplace_back(u.dot(p - plane.centroid), v.dot(p - plane.centroid));
+  std::sort(flat.begin(), flat.end(),
+            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::vector<Eigen::Vector2d> chain(2 * flat.size() + 1);
+  size_t k = 0;
+  auto turnsRight = [&](const Eigen::Vector2d& p) {
+    const Eigen::Vector2d a = chain[k - 1] - chain[k - 2], b = p - chain[k - 2];
+    return a.x() * b.y() - a.y() * b.x() <= 0;
+  };
+  for (const auto& p : flat) {
+    while (k >= 2 && turnsRight(p)) --k;
+    chain[k++] = p;
+  }
+  const size_t lower = k + 1;
+  for (size_t i = flat.size() - 1; i-- > 0;) {
+    while (k >= lower && turnsRight(flat[i])) --k;
+    chain[k++] = flat[i];
+  }
+  if (k > 1) --k;  // the last is the first again
+  std::vector<Eigen::Vector3d> hull;
+  hull.reserve(k);
+  for (size_t i = 0; i < k; ++i) {
+    const Eigen::Vector3d onPlane = plane.centroid + u * chain[i].x() + v * chain[i].y();
+    hull.push_back(onPlane);
+  }
+  return hull;
+}
+
+// Floor: the largest level below the sensor that looks up, and what lies as high; ceiling likewise above.
+void nameLevels(std::vector<Plane>& planes, double sensorHeight) {
+  constexpr double kSameLevel = 0.06;  // metres
+  const Plane *floor = nullptr, *ceiling = nullptr;
+  for (const Plane& p : planes) {
+    if (p.surfaceClass != SurfaceClass::Horizontal) continue;
+    const bool up = p.normal.z() > 0;
+    if (up && p.centroid.z() < sensorHeight && (!floor || p.area > floor->area)) floor = &p;
+    if (!up && p.centroid.z() > sensorHeight && (!ceiling || p.area > ceiling->area)) ceiling = &p;
+  }
+  for (Plane& p : planes) {
+    if (p.surfaceClass != SurfaceClass::Horizontal) continue;
+    const double z = p.centroid.z();
+    if (p.normal.z() > 0) {
+      if (!floor) continue;
+      p.role = std::abs(z - floor->centroid.z()) <= kSameLevel ? "floor"
+               : z > floor->centroid.z()                       ? "raised"
+                                                               : "lowered";
+    } else if (ceiling && std::abs(z - ceiling->centroid.z()) <= kSameLevel) {
+      p.role = "ceiling";
+    }
+  }
+}
+
+}  // namespace
+
+PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, const ClassImage& classes,
+                         const PlaneParams& params, double classToleranceDeg, PlaneLabel labelBase,
+                         const Execution& execution) {
+  const PlaneRegions regions = growPlaneRegions(points, normals, params, execution);
+  const std::vector<Members> members = collect(points, regions);
+  const Eigen::Vector3d facing(std::cos(classes.wallDirection), std::sin(classes.wallDirection), 0);
+
+  PlaneImage image;
+  image.labels = Grid<PlaneLabel>(points.range.rows(), points.range.cols(), kNoPlane);
+  std::vector<PlaneLabel> labelOf(members.size(), kNoPlane);
+  for (size_t l = 0; l < members.size(); ++l) {
+    throwIfStopped(execution);
+    const Members& m = members[l];
+    if (m.points.size() < 3 || regions.size[l] == 0) continue;
+    Expected<FittedPlane> fit = fitTotalLeastSquares(m.moments);
+    Plane plane;
+    plane.label = labelBase + 1 + static_cast<PlaneLabel>(m.first);
+    if (params.fit == PlaneFit::Paper) {
+      // In the sensor's frame, where a plane through the origin is seen edge-on and so does not occur.
+      PointMoments inSensor = m.moments;
+      inSensor.mean -= points.sensor;
+      Expected<FittedPlane> paper = fitPaperRegression(inSensor);
+      if (paper) {
+        paper->offset += paper->normal.dot(points.sensor);
+        fit = paper;
+      } else {
+        image.notes.push_back("plane " + std::to_string(plane.label) + ": " + paper.error().message() +
+                              "; total least squares used");
+      }
+    }
+    if (!fit) continue;
+    if (fit->normal.dot(points.sensor) < fit->offset) fit->normal = -fit->normal, fit->offset = -fit->offset;
+    plane.normal = fit->normal;
+    plane.offset = fit->offset;
+    plane.sigma = meanAbsoluteDistance(*fit, m.points);
+    plane.rms = fit->rms;
+    plane.points = m.points.size();
+    plane.centroid = m.moments.mean;
+    plane.area = m.area;
+    plane.surfaceClass = classOfDirection(plane.normal, facing, classToleranceDeg);
+    plane.hull = convexHull(m.points, plane);
+    labelOf[l] = plane.label;
+    image.planes.push_back(std::move(plane));
+  }
+  for (size_t o = 0; o < image.labels.size(); ++o)
+    if (regions.region[o] != kNoRegion) image.labels[o] = labelOf[static_cast<size_t>(regions.region[o])];
+  std::sort(image.planes.begin(), image.planes.end(), [](const Plane& a, const Plane& b) {
+    return a.points != b.points ? a.points > b.points : a.label < b.label;
+  });
+  nameLevels(image.planes, points.sensor.z());
+  return image;
+}
+
+}  // namespace stratascope

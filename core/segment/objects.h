@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/parallel_rows.h"
+#include "layers/products.h"
+#include "params/pipeline_params.h"
+
+namespace stratascope {
+
+/// Layer 4 and the planes gathered from it: regions grown in the sensor's frame (plane_regions.h), each
+/// fitted in the map frame by total least squares, or by the paper's regression where that is
+/// well-conditioned (else a note says so and total least squares stands in). Labels are labelBase + 1 +
+/// offset of the first neuron.
+PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, const ClassImage& classes,
+                         const PlaneParams& params, double classToleranceDeg, PlaneLabel labelBase,
+                         const Execution& execution = {});
+
+}  // namespace stratascope

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkCamera.h>
+
+#include <Eigen/Geometry>
+
+namespace stratascope {
+
+enum class ViewDirection { Iso, Top, Front, Side };
+
+/// Looks at the box from the given side, seen from behind a sensor that looks along `viewing` (horizontal, unit), so that all of
+/// it fits into a picture of that aspect (width / height), with a small margin.
+void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction,
+            double aspect);
+
+}  // namespace stratascope

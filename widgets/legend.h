@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+#include <vector>
+
+#include "widgets/colour_maps.h"
+
+namespace stratascope {
+
+/// A card over a 3D picture that says what its colours mean: a list of swatches, or a scalar bar in metres. Lets the mouse through.
+class Legend : public QWidget {
+  Q_OBJECT
+ public:
+  struct Entry {
+    QColor colour;
+    QString name;
+    QString value;
+  };
+  explicit Legend(QWidget* parent = nullptr);
+
+  void showList(const QString& title, std::vector<Entry> entries);
+  void showScale(const QString& title, const HeightScale& scale);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString title_;
+  std::vector<Entry> entries_;
+  HeightScale scale_;
+  bool bar_ = false;
+};
+
+/// Round numbers between low and high, at most `most` of them.
+std::vector<double> niceTicks(double low, double high, int most);
+
+}  // namespace stratascope

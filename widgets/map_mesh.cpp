@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "widgets/map_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/units.h"
+
+namespace stratascope {
+namespace {
+
+// Shade of a face by its direction, as if lit from above and slightly from the +x side.
+constexpr float kTopShade = 1.0f, kShadeX = 0.85f, kShadeY = 0.72f, kBottomShade = 0.5f;
+
+class MeshWriter {
+ public:
+  explicit MeshWriter(size_t facesExpected) {
+    mesh_.xyz.reserve(facesExpected * 12);
+    mesh_.rgb.reserve(facesExpected * 12);
+    mesh_.corners.reserve(facesExpected * 6);
+  }
+
+  /// Corners counter-clockwise seen from outside.
+  void face(const std::array<std::array<double, 3>, 4>& corners, Rgb colour) {
+    const auto first = static_cast<std::int32_t>(mesh_.xyz.size() / 3);
+    for (const auto& c : corners) {
+      for (double v : c) mesh_.xyz.push_back(static_cast<float>(v));
+      mesh_.rgb.insert(mesh_.rgb.end(), {colour.r, colour.g, colour.b});
+    }
+    mesh_.corners.insert(mesh_.corners.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+  }
+
+  void top(double x0, double y0, double x1, double y1, double z, Rgb c) {
+    face({{{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}}}, shaded(c, kTopShade));
+  }
+  void bottom(double x0, double y0, double x1, double y1, double z, Rgb c) {
+    face({{{x0, y0, z}, {x0, y1, z}, {x1, y1, z}, {x1, y0, z}}}, shaded(c, kBottomShade));
+  }
+  /// side: 0 = −x, 1 = +x, 2 = −y, 3 = +y.
+  void wall(int side, double x0, double y0, double x1, double y1, double low, double high, Rgb c) {
+    const Rgb s = shaded(c, side < 2 ? kShadeX : kShadeY);
+    switch (side) {
+      case 0: face({{{x0, y1, low}, {x0, y0, low}, {x0, y0, high}, {x0, y1, high}}}, s); break;
+      case 1: face({{{x1, y0, low}, {x1, y1, low}, {x1, y1, high}, {x1, y0, high}}}, s); break;
+      case 2: face({{{x0, y0, low}, {x1, y0, low}, {x1, y0, high}, {x0, y0, high}}}, s); break;
+      default: face({{{x1, y1, low}, {x0, y1, low}, {x0, y1, high}, {x1, y1, high}}}, s); break;
+    }
+  }
+
+  MapMesh take() {
+    mesh_.offsets.resize(mesh_.corners.size() / 3 + 1);
+    for (size_t i = 0; i < mesh_.offsets.size(); ++i) mesh_.offsets[i] = static_cast<std::int32_t>(3 * i);
+    return std::move(mesh_);
+  }
+
+ private:
+  MapMesh mesh_;
+};
+
+constexpr std::array<CellIndex, 4> kNeighbours{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+}  // namespace
+
+double minimumBoxThickness(const MapFrame& frame) { return 0.25 * frame.cell; }
+
+std::vector<float> heightsBelow(const CellAssignment& cells, double cut) {
+  std::vector<float> out(cells.frame.size(), kNaNf);
+  for (size_t o = 0; o < out.size(); ++o) {
+    const auto begin = cells.heights.begin() + cells.first[o], end = cells.heights.begin() + cells.first[o + 1];
+    const auto above = std::partition_point(begin, end, [&](float z) { return z <= cut; });
+    if (above != begin) out[o] = *std::prev(above);
+  }
+  return out;
+}
+
+MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, double base, const HeightScale& scale,
+                        MeshDetail detail) {
+  require(heights.size() == frame.size(), "buildColumnMesh: heights do not fit the frame");
+  const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
+  MeshWriter out(heights.size());
+  for (size_t o = 0; o < heights.size(); ++o) {
+    const double z = heights[o];
+    if (std::isnan(z)) continue;
+    const CellIndex c = frame.index(o);
+    const Eigen::Vector2d p = frame.lowerCorner(c), q = frame.lowerCorner({c.k + 1, c.l + 1});
+    const Rgb colour = heightColour(scale.fraction(z));
+    out.top(p.x(), p.y(), q.x(), q.y(), z, colour);
+    for (int side = 0; side < 4; ++side) {
+      const CellIndex n{c.k + kNeighbours[side].k, c.l + kNeighbours[side].l};
+      double low = std::min(base, z);
+      if (frame.contains(n)) {
+        const double zn = heights[frame.offset(n)];
+        if (!std::isnan(zn)) low = zn;
+      }
+      if (z - low > leastWall) out.wall(side, p.x(), p.y(), q.x(), q.y(), low, z, colour);
+    }
+  }
+  return out.take();
+}
+
+MapMesh buildBoxMesh(const IntervalMap& map, double cut, const HeightScale& scale, MeshDetail detail) {
+  const MapFrame& frame = map.frame;
+  const double thickness = minimumBoxThickness(frame);
+  const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
+  MeshWriter out(2 * map.records.size());
+  for (size_t o = 0; o + 1 < map.first.size(); ++o) {
+    if (map.first[o] == map.first[o + 1]) continue;
+    const CellIndex c = frame.index(o);
+    const Eigen::Vector2d p = frame.lowerCorner(c), q = frame.lowerCorner({c.k + 1, c.l + 1});
+    for (std::uint32_t i = map.first[o]; i < map.first[o + 1]; ++i) {
+      const HeightInterval& r = map.records[i];
+      if (r.min > cut) break;
+      const double high = std::min<double>(r.max, cut);
+      const double low = std::min<double>(r.min, high - thickness);
+      const Rgb colour = heightColour(scale.fraction(high));
+      out.top(p.x(), p.y(), q.x(), q.y(), high, colour);
+      // Undersides matter only for what hangs above something; from above they are culled and cost little.
+      if (detail == MeshDetail::Full && i > map.first[o]) out.bottom(p.x(), p.y(), q.x(), q.y(), low, colour);
+      if (high - low <= leastWall) continue;
+      for (int side = 0; side < 4; ++side) {
+        const auto neighbours = map.cell({c.k + kNeighbours[side].k, c.l + kNeighbours[side].l});
+        const bool hidden = std::ranges::any_of(
+            neighbours, [&](const HeightInterval& n) { return n.min <= low && n.max >= high; });
+        if (!hidden) out.wall(side, p.x(), p.y(), q.x(), q.y(), low, high, colour);
+      }
+    }
+  }
+  return out.take();
+}
+
+}  // namespace stratascope

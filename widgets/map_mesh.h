@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "map/maps.h"
+#include "widgets/colour_maps.h"
+
+namespace stratascope {
+
+/// Triangles with colours at the corners, face shade baked in: four vertices and two triangles a face, outward winding.
+/// Built on any thread; VTK arrays are laid over the vectors without a copy.
+struct MapMesh {
+  std::vector<float> xyz;
+  std::vector<std::uint8_t> rgb;
+  std::vector<std::int32_t> corners;  ///< three a triangle
+  std::vector<std::int32_t> offsets;  ///< triangles + 1
+  size_t faces() const { return xyz.size() / 12; }
+};
+
+/// Coarse leaves out low walls and undersides: for use while the camera moves.
+enum class MeshDetail { Full, Coarse };
+
+/// The highest height at or below `cut` in each cell, NaN where there is none: the 2.5D map of what lies below the cut. With
+/// an infinite cut this is the height map itself.
+std::vector<float> heightsBelow(const CellAssignment& cells, double cut);
+
+/// One column a cell, from `base` (or the lower neighbour) up to its height. A wall stands only where the neighbour is lower.
+MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, double base, const HeightScale& scale,
+                        MeshDetail detail);
+
+/// One box a record. Records above the cut are left out, one it passes through ends there.
+MapMesh buildBoxMesh(const IntervalMap& map, double cut, const HeightScale& scale, MeshDetail detail);
+
+/// Thickness a box is drawn with at least, so that a record of one height can be seen.
+double minimumBoxThickness(const MapFrame& frame);
+
+}  // namespace stratascope

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "widgets/map_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/text_format.h"
+
+namespace stratascope {
+
+MapView::MapView(Kind kind, Selection& selection, QWidget* parent)
+    : VtkView(kind == Kind::Columns ? tr("2.5D map") : tr("Extended 2.5D map"), parent),
+      kind_(kind),
+      selection_(selection),
+      actor_(renderer()),
+      marked_(renderer(), kHighlight),
+      cell_(renderer(), kHighlight) {
+  legend_ = new Legend;
+  setLegend(legend_);
+  legend_->hide();
+  cell_.setSizes(4, 3 * devicePixelRatioF());
+  connect(this, &VtkView::clicked, this, &MapView::pick);
+  connect(&selection_, &Selection::changed, this, &MapView::highlight);
+}
+
+void MapView::setGeometry(const ViewGeometryPtr& geometry) {
+  geometry_ = geometry;
+  if (!geometry_) return;
+  const ViewGeometry& g = *geometry_;
+  if (kind_ == Kind::Columns)
+    actor_.set(g.columns, g.columnsCoarse);
+  else
+    actor_.set(g.boxes, g.boxesCoarse);
+
+  QStringList parts;
+  if (kind_ == Kind::Columns && g.columnHeights) {
+    const auto seen = std::ranges::count_if(*g.columnHeights, [](float z) { return !std::isnan(z); });
+    parts << tr("%1 cells of %2").arg(countText(static_cast<size_t>(seen)), metresText(g.snapshot->params.grid.cell, 2));
+    parts << (g.cut < g.highest ? tr("highest below %1").arg(metresText(g.cut, 2)) : tr("highest of each cell"));
+  } else if (kind_ == Kind::Boxes && g.boxes) {
+    parts << tr("%1 records").arg(countText(g.boxCount));
+    parts << tr("ε %1").arg(metresText(g.snapshot->params.intervals.epsilon, 2));
+    if (g.cut < g.highest) parts << tr("below %1").arg(metresText(g.cut, 2));
+  }
+  setSubtitle(parts.join(QStringLiteral("  ·  ")));
+  legend_->showScale(tr("Height in m"), g.scale);
+  setLegend(legend_);
+  highlight();
+}
+
+std::optional<CellIndex> MapView::cellUnder(QPoint position) const {
+  if (!geometry_) return std::nullopt;
+  const ViewGeometry& g = *geometry_;
+  if (kind_ == Kind::Columns)
+    return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base) : std::nullopt;
+  return g.boxes ? pickBox(rayAt(position), *g.snapshot->intervalMap, g.cut) : std::nullopt;
+}
+
+void MapView::pick(QPoint position) {
+  if (const auto cell = cellUnder(position))
+    selection_.set(*cell);
+  else
+    selection_.clear();
+}
+
+void MapView::markCell(OverlayActor& overlay, CellIndex cell) const {
+  const ViewGeometry& g = *geometry_;
+  if (kind_ == Kind::Columns) {
+    const MapFrame& frame = g.snapshot->cells->frame;
+    if (!frame.contains(cell)) return;
+    const double z = (*g.columnHeights)[frame.offset(cell)];
+    if (!std::isnan(z)) overlay.addCellBox(frame, cell, std::min(g.base, z), z);
+    return;
+  }
+  const IntervalMap& map = *g.snapshot->intervalMap;
+  for (const HeightInterval& r : map.cell(cell)) {
+    if (r.min > g.cut) break;
+    const double high = std::min<double>(r.max, g.cut);
+    overlay.addCellBox(map.frame, cell, std::min<double>(r.min, high - minimumBoxThickness(map.frame)), high);
+  }
+}
+
+void MapView::markPlane(PlaneLabel label) {
+  const ViewGeometry& g = *geometry_;
+  if (!g.snapshot->objectMap) return;
+  const ObjectMap::Cells* cells = g.snapshot->objectMap->find(label);
+  if (!cells) return;
+  const IntervalMap& map = *g.snapshot->intervalMap;
+  for (const CellIndex c : cells->cells) {
+    if (!map.frame.contains(c)) continue;
+    if (kind_ == Kind::Columns) {
+      const double z = (*g.columnHeights)[map.frame.offset(c)];
+      if (!std::isnan(z)) marked_.addCellTop(map.frame, c, z);
+      continue;
+    }
+    const size_t o = map.frame.offset(c);
+    for (std::uint32_t i = map.first[o]; i < map.first[o + 1]; ++i) {
+      const HeightInterval& r = map.records[i];
+      if (r.min > g.cut) break;
+      if (std::ranges::binary_search(g.snapshot->objectMap->objects(i), label))
+        marked_.addCellTop(map.frame, c, std::min<double>(r.max, g.cut));
+    }
+  }
+}
+
+void MapView::highlight() {
+  marked_.clear();
+  cell_.clear();
+  if (geometry_ && geometry_->columnHeights && geometry_->boxes) {
+    const ViewGeometry& g = *geometry_;
+    if (const auto* point = std::get_if<PointRef>(&selection_.get())) {
+      const Eigen::Vector3f p = positionOf(*g.snapshot, *point);
+      if (p.allFinite()) markCell(cell_, g.snapshot->cells->frame.cellAt(p.x(), p.y()));
+    } else if (const auto* cell = std::get_if<CellIndex>(&selection_.get())) {
+      markCell(cell_, *cell);
+    } else if (const auto* label = std::get_if<PlaneLabel>(&selection_.get())) {
+      markPlane(*label);
+    }
+    marked_.commit(g.cut);
+    cell_.commit(g.cut);
+  }
+  scheduleRender();
+}
+
+}  // namespace stratascope

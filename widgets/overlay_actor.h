@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "map/map_frame.h"
+#include "widgets/colour_maps.h"
+
+namespace stratascope {
+
+/// Marks drawn over the data in one colour: points, line segments, flat cells. Made anew at each call; keep them few.
+class OverlayActor {
+ public:
+  OverlayActor(vtkRenderer* renderer, Rgb colour);
+
+  void clear();
+  void addPoint(const Eigen::Vector3f& p) { points_.push_back(p); }
+  void addSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+  void addLoop(std::span<const Eigen::Vector3d> corners);
+  /// The twelve edges of the box over a cell.
+  void addCellBox(const MapFrame& frame, CellIndex cell, double low, double high);
+  /// The top of a cell at height z.
+  void addCellTop(const MapFrame& frame, CellIndex cell, double z);
+  /// Shows what was added since clear(), up to the cut.
+  void commit(double cut);
+
+  void setColour(Rgb colour);
+  void setSizes(double pointPixels, double linePixels);
+
+ private:
+  std::vector<Eigen::Vector3f> points_, segments_, quads_;
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<vtkActor> actor_;
+  vtkNew<vtkPlane> cut_;
+};
+
+}  // namespace stratascope

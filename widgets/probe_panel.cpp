@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "widgets/probe_panel.h"
+
+#include <QEvent>
+#include <QTextBrowser>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "widgets/text_format.h"
+#include "widgets/theme.h"
+
+namespace stratascope {
+namespace {
+
+QString swatch(Rgb c) {
+  return QStringLiteral("<span style='color:%1'>■</span>&nbsp;").arg(QColor(c.r, c.g, c.b).name());
+}
+
+QString classHtml(SurfaceClass c) { return swatch(classColour(c)) + QObject::tr(className(c)); }
+
+QString planeLink(const Snapshot& snapshot, PlaneLabel label) {
+  if (label == kNoPlane) return QObject::tr("none");
+  const Plane* plane = snapshot.plane(label);
+  QString name = QObject::tr("plane %1").arg(planeNumber(snapshot, label));
+  if (plane && !plane->role.empty()) name += QStringLiteral(" (%1)").arg(QString::fromStdString(plane->role));
+  return QStringLiteral("<a href='plane:%1'>%2</a>").arg(label).arg(name);
+}
+
+QString vectorText(const Eigen::Vector3d& v, int digits = 3) {
+  if (!v.allFinite()) return QStringLiteral("–");
+  QStringList parts;
+  for (int i = 0; i < 3; ++i) {
+    QString n = metresText(v[i], digits);
+    parts << n.left(n.size() - 2);
+  }
+  return parts.join(QStringLiteral(",&nbsp; "));
+}
+
+/// Heading and rows of two columns.
+class Page {
+ public:
+  Page(QString muted, QString title) : muted_(std::move(muted)) {
+    html_ = QStringLiteral("<p style='font-weight:600; margin-bottom:6px'>%1</p><table cellspacing='0' cellpadding='2'>").arg(title);
+  }
+  void row(const QString& name, const QString& value) {
+    html_ += QStringLiteral("<tr><td style='color:%1; padding-right:12px'>%2</td><td>%3</td></tr>").arg(muted_, name, value);
+  }
+  void after(const QString& html) { after_ += html; }
+  QString html() const { return html_ + QStringLiteral("</table>") + after_; }
+
+ private:
+  QString muted_, html_, after_;
+};
+
+QString cellLink(CellIndex c) {
+  return QStringLiteral("<a href='cell:%1,%2'>k %1, l %2</a>").arg(c.k).arg(c.l);
+}
+
+QString pointHtml(const Snapshot& s, PointRef p, const QString& muted) {
+  const ScanProducts& scan = s.scans[static_cast<size_t>(p.scan)];
+  const Eigen::Vector3d position = positionOf(s, p).cast<double>();
+  const auto neuron = neuronOf(s, p);
+  Page page(muted, QObject::tr("Point"));
+  if (s.scans.size() > 1 && scan.scan) page.row(QObject::tr("Scan"), QString::fromStdString(scan.scan->name).toHtmlEscaped());
+  if (scan.cloud) page.row(QObject::tr("Number in file"), countText(p.offset));
+  if (neuron) {
+    page.row(QObject::tr("Line"), QString::number(neuron->row));
+    page.row(QObject::tr("Beam"), QString::number(neuron->col));
+  } else {
+    page.row(QObject::tr("Neuron"), QObject::tr("none: a nearer point has it"));
+  }
+  page.row(QObject::tr("x, y, z in m"), vectorText(position));
+  if (scan.points) page.row(QObject::tr("Range"), metresText((position - scan.points->sensor).norm()));
+  if (neuron && scan.normals) {
+    page.row(QObject::tr("Normal"), vectorText(scan.normals->normals(*neuron).cast<double>()));
+    page.row(QObject::tr("Reach"), metresText(scan.normals->reach.empty() ? kNaN : scan.normals->reach(*neuron)));
+  }
+  page.row(QObject::tr("Class"), classHtml(classOf(s, p)));
+  const PlaneLabel label = labelOf(s, p);
+  page.row(QObject::tr("Plane"), planeLink(s, label));
+  if (const Plane* plane = label == kNoPlane ? nullptr : s.plane(label))
+    page.row(QObject::tr("Off the plane"), metresText(plane->normal.dot(position) - plane->offset, 4));
+  if (s.cells) page.row(QObject::tr("Cell"), cellLink(s.cells->frame.cellAt(position.x(), position.y())));
+  return page.html();
+}
+
+QString cellHtml(const Snapshot& s, CellIndex c, const QString& muted) {
+  const MapFrame& frame = s.cells->frame;
+  const Eigen::Vector2d centre = frame.centre(c);
+  Page page(muted, QObject::tr("Cell k %1, l %2").arg(c.k).arg(c.l));
+  page.row(QObject::tr("Centre x, y"), vectorText({centre.x(), centre.y(), 0}).section(QStringLiteral(",&nbsp; "), 0, 1));
+  if (s.heightMap && frame.contains(c))
+    page.row(QObject::tr("2.5D height"), metresText(s.heightMap->height[frame.offset(c)]));
+  if (!s.intervalMap) return page.html();
+  const auto records = s.intervalMap->cell(c);
+  page.row(QObject::tr("Records"), QString::number(records.size()));
+  if (records.empty()) return page.html();
+  QString table = QStringLiteral(
+                      "<p style='margin-bottom:2px'></p><table cellspacing='0' cellpadding='3' width='100%'>"
+                      "<tr style='color:%1'><td align='right'>min</td><td align='right'>max</td>"
+                      "<td align='right'>%2</td><td>%3</td></tr>")
+                      .arg(muted, QObject::tr("points"), QObject::tr("planes"));
+  const size_t first = s.intervalMap->first[frame.offset(c)];
+  for (size_t i = records.size(); i-- > 0;) {  // highest on top, as in the picture
+    QStringList planes;
+    if (s.objectMap)
+      for (PlaneLabel label : s.objectMap->objects(first + i)) planes << planeLink(s, label);
+    table += QStringLiteral("<tr><td align='right'>%1</td><td align='right'>%2</td><td align='right'>%3</td><td>%4</td></tr>")
+                 .arg(metresText(records[i].min), metresText(records[i].max), countText(records[i].points),
+                      planes.isEmpty() ? QStringLiteral("–") : planes.join(QStringLiteral("<br>")));
+  }
+  page.after(table + QStringLiteral("</table>"));
+  return page.html();
+}
+
+QString planeHtml(const Snapshot& s, PlaneLabel label, const QString& muted) {
+  const Plane* plane = s.plane(label);
+  if (!plane) return QStringLiteral("<p>%1</p>").arg(QObject::tr("This plane is not found with the present parameters."));
+  Page page(muted, QObject::tr("Plane %1").arg(planeNumber(s, label)));
+  page.row(QObject::tr("Label"), QString::number(label));
+  page.row(QObject::tr("Class"), classHtml(plane->surfaceClass));
+  if (!plane->role.empty()) page.row(QObject::tr("Role"), QString::fromStdString(plane->role));
+  page.row(QObject::tr("Points"), countText(plane->points));
+  page.row(QObject::tr("Area"), QStringLiteral("%1 m²").arg(plane->area, 0, 'f', 2));
+  page.row(QObject::tr("Normal"), vectorText(plane->normal));
+  page.row(QObject::tr("Offset"), metresText(plane->offset));
+  page.row(QObject::tr("Tilt"), degreesText(radToDeg(std::acos(std::clamp(std::abs(plane->normal.z()), 0.0, 1.0)))));
+  page.row(QObject::tr("σ (10)"), metresText(plane->sigma, 4));
+  page.row(QObject::tr("rms"), metresText(plane->rms, 4));
+  page.row(QObject::tr("Centroid"), vectorText(plane->centroid));
+  if (s.objectMap)
+    if (const ObjectMap::Cells* cells = s.objectMap->find(label)) page.row(QObject::tr("Cells"), countText(cells->cells.size()));
+  return page.html();
+}
+
+}  // namespace
+
+ProbePanel::ProbePanel(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
+  text_ = new QTextBrowser;
+  text_->setObjectName("probe");
+  text_->setOpenLinks(false);
+  text_->document()->setDocumentMargin(12);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(text_);
+  connect(text_, &QTextBrowser::anchorClicked, this, &ProbePanel::followLink);
+  connect(&selection_, &Selection::changed, this, &ProbePanel::refresh);
+  refresh();
+}
+
+void ProbePanel::setGeometry(const ViewGeometryPtr& geometry) {
+  geometry_ = geometry;
+  refresh();
+}
+
+QString ProbePanel::plainText() const { return text_->toPlainText(); }
+
+void ProbePanel::refresh() {
+  const QString muted = mutedText(palette()).name();
+  const Selected& selected = selection_.get();
+  QString html = QStringLiteral("<p style='color:%1'>%2</p>")
+                     .arg(muted, tr("Nothing selected. Click a point in the cloud, a cell in a map, or a plane in the list; "
+                                    "it lights up everywhere."));
+  if (geometry_) {
+    const Snapshot& s = *geometry_->snapshot;
+    if (const auto* point = std::get_if<PointRef>(&selected))
+      html = pointHtml(s, *point, muted);
+    else if (const auto* cell = std::get_if<CellIndex>(&selected); cell && s.cells)
+      html = cellHtml(s, *cell, muted);
+    else if (const auto* label = std::get_if<PlaneLabel>(&selected))
+      html = planeHtml(s, *label, muted);
+  }
+  text_->setHtml(html);
+}
+
+void ProbePanel::followLink(const QUrl& url) {
+  const QString path = url.path();
+  if (url.scheme() == QStringLiteral("plane"))
+    selection_.set(PlaneLabel{path.toUInt()});
+  else if (url.scheme() == QStringLiteral("cell"))
+    selection_.set(CellIndex{path.section(',', 0, 0).toInt(), path.section(',', 1, 1).toInt()});
+}
+
+void ProbePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) refresh();
+}
+
+}  // namespace stratascope

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+
+namespace stratascope {
+
+/// Numbers as people read them, the same on every machine: "186,000", "1.250 m", "−0.5°". A dash for NaN.
+QString countText(size_t count);
+QString metresText(double metres, int digits = 3);
+QString degreesText(double degrees, int digits = 1);
+QString secondsText(double seconds);
+
+}  // namespace stratascope

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "widgets/view_area.h"
+
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace stratascope {
+
+ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent) {
+  cloud_ = new CloudView(selection);
+  cloud_->setProperty("role", "cloud");
+  columns_ = new MapView(MapView::Kind::Columns, selection);
+  boxes_ = new MapView(MapView::Kind::Boxes, selection);
+  views_ = {cloud_, columns_, boxes_};
+
+  maps_ = new QSplitter(Qt::Horizontal);
+  maps_->addWidget(columns_);
+  maps_->addWidget(boxes_);
+  rows_ = new QSplitter(Qt::Vertical);
+  rows_->addWidget(cloud_);
+  rows_->addWidget(maps_);
+  for (QSplitter* s : {maps_, rows_}) {
+    s->setHandleWidth(6);
+    s->setChildrenCollapsible(false);
+    s->setStretchFactor(0, 1);
+    s->setStretchFactor(1, 1);
+    s->setSizes({1000, 1000});
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(rows_);
+
+  for (VtkView* view : views_) {
+    connect(view, &VtkView::maximiseToggled, this, [this, view] { toggleMaximised(view); });
+    connect(view, &VtkView::cameraMoved, this, [this, view] { follow(view); });
+  }
+}
+
+void ViewArea::setGeometry(const ViewGeometryPtr& geometry) {
+  geometry_ = geometry;
+  cloud_->setGeometry(geometry);
+  columns_->setGeometry(geometry);
+  boxes_->setGeometry(geometry);
+}
+
+void ViewArea::look(ViewDirection direction) {
+  if (!geometry_) return;
+  for (VtkView* view : views_) view->look(geometry_->bounds, geometry_->viewing, direction);
+}
+
+void ViewArea::setLinked(bool linked) {
+  linked_ = linked;
+  if (linked) follow(cloud_);
+}
+
+void ViewArea::renderNow() {
+  for (VtkView* view : views_) view->renderNow();
+}
+
+void ViewArea::follow(VtkView* leader) {
+  if (!linked_) return;
+  for (VtkView* view : views_)
+    if (view != leader && view->isVisible()) view->copyCamera(*leader);
+}
+
+void ViewArea::toggleMaximised(VtkView* view) {
+  maximised_ = maximised_ ? nullptr : view;
+  for (VtkView* v : views_) v->setVisible(!maximised_ || v == maximised_);
+  maps_->setVisible(!maximised_ || maximised_ != cloud_);
+  if (!maximised_ && linked_) follow(view);
+  for (VtkView* v : views_) v->scheduleRender();
+}
+
+}  // namespace stratascope

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "widgets/cloud_view.h"
+#include "widgets/map_view.h"
+
+class QSplitter;
+
+namespace stratascope {
+
+/// The three linked views: the cloud above, both maps below it side by side.
+class ViewArea : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ViewArea(Selection& selection, QWidget* parent = nullptr);
+
+  void setGeometry(const ViewGeometryPtr& geometry);
+  /// Fits all three views.
+  void look(ViewDirection direction);
+  void setLinked(bool linked);
+  bool linked() const { return linked_; }
+  /// Draws now, without waiting for the event loop.
+  void renderNow();
+
+  CloudView* cloud() const { return cloud_; }
+  MapView* columns() const { return columns_; }
+  MapView* boxes() const { return boxes_; }
+
+ private:
+  void toggleMaximised(VtkView* view);
+  void follow(VtkView* leader);
+
+  CloudView* cloud_;
+  MapView* columns_;
+  MapView* boxes_;
+  std::array<VtkView*, 3> views_;
+  QSplitter* rows_;
+  QSplitter* maps_;
+  ViewGeometryPtr geometry_;
+  VtkView* maximised_ = nullptr;
+  bool linked_ = true;
+};
+
+}  // namespace stratascope

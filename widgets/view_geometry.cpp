@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "widgets/view_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace stratascope {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A ceiling hides the room from above; the cut goes this far below its lowest part.
+constexpr double kBelowCeiling = 0.15;
+// A "ceiling" plane smaller than this share of the largest one is a shelf's underside or the like.
+constexpr double kCeilingShare = 0.2;
+
+bool samePoints(const Snapshot& a, const Snapshot& b) {
+  return std::ranges::equal(a.scans, b.scans, [](const ScanProducts& x, const ScanProducts& y) {
+    return x.points == y.points && x.cloud == y.cloud && x.scan == y.scan;
+  });
+}
+
+bool sameColours(const Snapshot& a, const Snapshot& b) {
+  return std::ranges::equal(a.scans, b.scans, [](const ScanProducts& x, const ScanProducts& y) {
+    return x.classes == y.classes && x.planes == y.planes && x.cloudLabels == y.cloudLabels;
+  });
+}
+
+std::shared_ptr<const CloudGeometry> gatherCloud(const Snapshot& snapshot) {
+  auto out = std::make_shared<CloudGeometry>();
+  for (size_t s = 0; s < snapshot.scans.size(); ++s) {
+    const ScanProducts& scan = snapshot.scans[s];
+    std::span<const Eigen::Vector3f> points;
+    if (scan.cloud)
+      points = *scan.cloud;
+    else if (scan.points)
+      points = scan.points->points.values();
+    for (size_t i = 0; i < points.size(); ++i)
+      if (points[i].allFinite()) out->source.push_back({static_cast<int>(s), static_cast<std::uint32_t>(i)});
+  }
+  // Fisher-Yates by hand: std::shuffle may differ between standard libraries.
+  std::mt19937_64 random(1);
+  for (size_t i = out->source.size(); i > 1; --i) std::swap(out->source[i - 1], out->source[random() % i]);
+  out->positions.reserve(out->source.size());
+  for (const PointRef& p : out->source) out->positions.push_back(positionOf(snapshot, p));
+  return out;
+}
+
+double quantile(std::vector<float>& values, double share) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+double automaticCut(const Snapshot& snapshot) {
+  double largest = 0, cut = kInfinity;
+  const auto eachCeiling = [&](const auto& visit) {
+    for (const ScanProducts& scan : snapshot.scans)
+      if (scan.planes)
+        for (const Plane& plane : scan.planes->planes)
+          if (plane.role == "ceiling") visit(plane);
+  };
+  eachCeiling([&](const Plane& p) { largest = std::max(largest, p.area); });
+  eachCeiling([&](const Plane& p) {
+    if (p.area >= kCeilingShare * largest) cut = std::min(cut, p.centroid.z() - kBelowCeiling);
+  });
+  return cut;
+}
+
+void measureExtent(ViewGeometry& g) {
+  const auto& points = g.cloud->positions;
+  const size_t step = std::max<size_t>(1, points.size() / 50000);
+  std::array<std::vector<float>, 3> axes;
+  g.lowest = kInfinity;
+  g.highest = -kInfinity;
+  for (size_t i = 0; i < points.size(); ++i) {
+    g.lowest = std::min<double>(g.lowest, points[i].z());
+    g.highest = std::max<double>(g.highest, points[i].z());
+    if (i % step == 0 && points[i].z() <= g.cut)
+      for (int a = 0; a < 3; ++a) axes[a].push_back(points[i][a]);
+  }
+  if (axes[0].empty()) {
+    if (points.empty()) g.lowest = 0, g.highest = 1;
+    g.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, 1, 1));
+    g.scale = {g.lowest, std::max(g.highest, g.lowest + 0.1)};
+    return;
+  }
+  Eigen::Vector3d low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = quantile(axes[a], 0.01);
+    high[a] = quantile(axes[a], 0.99);
+  }
+  g.bounds = Eigen::AlignedBox3d(low, high);
+  g.scale = {quantile(axes[2], 0.005), quantile(axes[2], 0.995)};
+  if (g.scale.high - g.scale.low < 0.1) g.scale.high = g.scale.low + 0.1;
+}
+
+std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(const ViewGeometry& g,
+                                                             std::array<size_t, kSurfaceClassCount>& counts) {
+  auto rgb = std::make_shared<std::vector<std::uint8_t>>();
+  rgb->reserve(3 * g.cloud->source.size());
+  counts.fill(0);
+  for (size_t i = 0; i < g.cloud->source.size(); ++i) {
+    const PointRef ref = g.cloud->source[i];
+    const SurfaceClass surface = classOf(*g.snapshot, ref);
+    ++counts[static_cast<size_t>(surface)];
+    Rgb c;
+    switch (g.options.colouring) {
+      case CloudColouring::SurfaceClass: c = classColour(surface); break;
+      case CloudColouring::Plane: c = planeColour(labelOf(*g.snapshot, ref)); break;
+      case CloudColouring::Height: c = heightColour(g.scale.fraction(g.cloud->positions[i].z())); break;
+    }
+    rgb->insert(rgb->end(), {c.r, c.g, c.b});
+  }
+  return rgb;
+}
+
+}  // namespace
+
+Eigen::Vector3f positionOf(const Snapshot& snapshot, PointRef p) {
+  const ScanProducts& scan = snapshot.scans.at(static_cast<size_t>(p.scan));
+  if (scan.cloud) return scan.cloud->at(p.offset);
+  return scan.points->points[p.offset];
+}
+
+std::optional<GridIndex> neuronOf(const Snapshot& snapshot, PointRef p) {
+  const ScanProducts& scan = snapshot.scans.at(static_cast<size_t>(p.scan));
+  if (!scan.points) return std::nullopt;
+  if (!scan.cloud) return scan.points->points.index(p.offset);
+  if (p.offset >= scan.scan->neuronOfPoint.size()) return std::nullopt;
+  const std::int32_t neuron = scan.scan->neuronOfPoint[p.offset];
+  if (neuron < 0) return std::nullopt;
+  return scan.points->points.index(static_cast<size_t>(neuron));
+}
+
+PlaneLabel labelOf(const Snapshot& snapshot, PointRef p) {
+  const ScanProducts& scan = snapshot.scans.at(static_cast<size_t>(p.scan));
+  if (scan.cloudLabels) return p.offset < scan.cloudLabels->size() ? (*scan.cloudLabels)[p.offset] : kNoPlane;
+  if (!scan.planes) return kNoPlane;
+  const auto neuron = neuronOf(snapshot, p);
+  return neuron ? scan.planes->labels(*neuron) : kNoPlane;
+}
+
+SurfaceClass classOf(const Snapshot& snapshot, PointRef p) {
+  const ScanProducts& scan = snapshot.scans.at(static_cast<size_t>(p.scan));
+  if (!scan.classes) return SurfaceClass::Unknown;
+  const auto neuron = neuronOf(snapshot, p);
+  return neuron ? scan.classes->classes(*neuron) : SurfaceClass::Unknown;
+}
+
+size_t planeNumber(const Snapshot& snapshot, PlaneLabel label) {
+  std::vector<std::pair<size_t, PlaneLabel>> bySize;
+  for (const ScanProducts& scan : snapshot.scans)
+    if (scan.planes)
+      for (const Plane& p : scan.planes->planes) bySize.emplace_back(p.points, p.label);
+  std::ranges::stable_sort(bySize, [](const auto& a, const auto& b) { return a.first > b.first; });
+  const auto at = std::ranges::find(bySize, label, &std::pair<size_t, PlaneLabel>::second);
+  return at == bySize.end() ? 0 : static_cast<size_t>(at - bySize.begin()) + 1;
+}
+
+ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options, const ViewGeometryPtr& previous) {
+  require(snapshot != nullptr, "buildViewGeometry: no snapshot");
+  auto g = std::make_shared<ViewGeometry>();
+  g->snapshot = snapshot;
+  g->options = options;
+  const ViewGeometry* old = previous.get();
+  const bool pointsStand = old && samePoints(*snapshot, *old->snapshot);
+
+  g->cloud = pointsStand ? old->cloud : gatherCloud(*snapshot);
+  if (!snapshot->scans.empty() && snapshot->scans.front().points)
+    g->viewing = snapshot->scans.front().points->viewing;
+
+  // The automatic cut stays where it was while the points are the same: views must not jump when a slider moves a plane.
+  if (options.cut)
+    g->cut = *options.cut;
+  else if (pointsStand && !old->options.cut)
+    g->cut = old->cut;
+  else
+    g->cut = automaticCut(*snapshot);
+  measureExtent(*g);
+
+  const bool scaleStands = old && pointsStand && g->scale == old->scale;
+  if (scaleStands && sameColours(*snapshot, *old->snapshot) && options.colouring == old->options.colouring) {
+    g->cloudRgb = old->cloudRgb;
+    g->classCounts = old->classCounts;
+  } else {
+    g->cloudRgb = colourCloud(*g, g->classCounts);
+  }
+
+  const bool lookStands = scaleStands && g->cut == old->cut;
+  if (snapshot->cells) {
+    g->base = g->scale.low;
+    if (lookStands && old->columns && snapshot->cells == old->snapshot->cells) {
+      g->columnHeights = old->columnHeights;
+      g->columns = old->columns;
+      g->columnsCoarse = old->columnsCoarse;
+    } else {
+      g->columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot->cells, g->cut));
+      const auto mesh = [&](MeshDetail detail) {
+        return std::make_shared<const MapMesh>(
+            buildColumnMesh(snapshot->cells->frame, *g->columnHeights, g->base, g->scale, detail));
+      };
+      g->columns = mesh(MeshDetail::Full);
+      g->columnsCoarse = mesh(MeshDetail::Coarse);
+    }
+  }
+  if (snapshot->intervalMap) {
+    if (lookStands && old->boxes && snapshot->intervalMap == old->snapshot->intervalMap) {
+      g->boxes = old->boxes;
+      g->boxesCoarse = old->boxesCoarse;
+      g->boxCount = old->boxCount;
+    } else {
+      const auto mesh = [&](MeshDetail detail) {
+        return std::make_shared<const MapMesh>(buildBoxMesh(*snapshot->intervalMap, g->cut, g->scale, detail));
+      };
+      g->boxes = mesh(MeshDetail::Full);
+      g->boxesCoarse = mesh(MeshDetail::Coarse);
+      g->boxCount = static_cast<size_t>(std::ranges::count_if(
+          snapshot->intervalMap->records, [&](const HeightInterval& r) { return r.min <= g->cut; }));
+    }
+  }
+  return g;
+}
+
+}  // namespace stratascope

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "widgets/vtk_view.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRendererCollection.h>
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/units.h"
+#include "widgets/theme.h"
+
+namespace stratascope {
+namespace {
+
+/// Turns about the vertical and up and down, but never over the top; no keys of its own.
+class UprightStyle : public vtkInteractorStyleTrackballCamera {
+ public:
+  static UprightStyle* New();
+  vtkTypeMacro(UprightStyle, vtkInteractorStyleTrackballCamera);
+
+  void Rotate() override {
+    if (!CurrentRenderer) return;
+    const int* now = Interactor->GetEventPosition();
+    const int* before = Interactor->GetLastEventPosition();
+    const int* size = CurrentRenderer->GetRenderWindow()->GetSize();
+    vtkCamera* camera = CurrentRenderer->GetActiveCamera();
+    Eigen::Vector3d eye(camera->GetPosition()), focus(camera->GetFocalPoint()), up(camera->GetViewUp());
+    const Eigen::Vector3d toFocus = focus - eye;
+    const double distance = toFocus.norm();
+    double elevation = std::asin(std::clamp(-toFocus.z() / distance, -1.0, 1.0));
+    // Straight from above the heading is in the up vector.
+    const Eigen::Vector3d heading = std::abs(elevation) > degToRad(89.0) ? up : toFocus;
+    double yaw = std::atan2(heading.y(), heading.x());
+    yaw -= kPi * (now[0] - before[0]) / std::max(1, size[0]) * 1.3;
+    elevation -= kPi * (now[1] - before[1]) / std::max(1, size[1]);
+    elevation = std::clamp(elevation, degToRad(-85.0), degToRad(88.9));
+    const Eigen::Vector3d look(std::cos(elevation) * std::cos(yaw), std::cos(elevation) * std::sin(yaw),
+                               -std::sin(elevation));
+    eye = focus - distance * look;
+    camera->SetPosition(eye.data());
+    camera->SetViewUp(0, 0, 1);
+    CurrentRenderer->ResetCameraClippingRange();
+    Interactor->Render();
+  }
+  void Spin() override { Rotate(); }
+  void OnChar() override {}
+  void OnKeyPress() override {}
+};
+vtkStandardNewMacro(UprightStyle);
+
+void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(new std::function<void()>(std::move(call)));
+  command->SetClientDataDeleteCallback([](void* p) { delete static_cast<std::function<void()>*>(p); });
+  command->SetCallback([](vtkObject*, unsigned long, void* p, void*) { (*static_cast<std::function<void()>*>(p))(); });
+  object->AddObserver(event, command);
+}
+
+}  // namespace
+
+VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
+  setObjectName("view");
+  header_ = new QWidget(this);
+  header_->setObjectName("viewHeader");
+  header_->setToolTip(tr("Double-click to enlarge this view or to go back"));
+  auto* name = new QLabel(title, header_);
+  name->setObjectName("viewTitle");
+  subtitle_ = new QLabel(header_);
+  subtitle_->setObjectName("viewSubtitle");
+  subtitle_->setMinimumWidth(0);
+  subtitle_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  maximise_ = new QToolButton(header_);
+  maximise_->setAutoRaise(true);
+  setThemedIcon(maximise_, "maximise");
+  maximise_->setToolTip(tr("Enlarge this view, or go back to all three"));
+  headerLayout_ = new QHBoxLayout(header_);
+  headerLayout_->setContentsMargins(10, 3, 4, 3);
+  headerLayout_->setSpacing(8);
+  headerLayout_->addWidget(name);
+  headerLayout_->addWidget(subtitle_, 1);
+  headerLayout_->addWidget(maximise_);
+
+  canvas_ = new QVTKOpenGLNativeWidget(this);
+  canvas_->setObjectName("canvas");
+  canvas_->setMinimumSize(120, 90);
+  window_->SetMultiSamples(0);
+  canvas_->setRenderWindow(window_);
+  renderer_->SetBackground(1, 1, 1);
+  window_->AddRenderer(renderer_);
+  vtkNew<UprightStyle> style;
+  style->SetDefaultRenderer(renderer_);
+  style->AutoAdjustCameraClippingRangeOn();
+  canvas_->interactor()->SetInteractorStyle(style);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(header_);
+  layout->addWidget(canvas_, 1);
+
+  onVtk(style, vtkCommand::StartInteractionEvent, [this] { beginMove(); });
+  onVtk(style, vtkCommand::EndInteractionEvent, [this] { endMove(); });
+  onVtk(style, vtkCommand::InteractionEvent, [this] { emit cameraMoved(); });
+  fullDetail_.setSingleShot(true);
+  fullDetail_.setInterval(180);
+  connect(&fullDetail_, &QTimer::timeout, this, [this] {
+    moving_ = false;
+    setCoarse(false);
+    emit cameraMoved();
+    scheduleRender();
+  });
+  render_.setSingleShot(true);
+  render_.setInterval(0);
+  connect(&render_, &QTimer::timeout, this, [this] { renderNow(); });
+  connect(maximise_, &QToolButton::clicked, this, &VtkView::maximiseToggled);
+  canvas_->installEventFilter(this);
+  header_->installEventFilter(this);
+  applyPalette();
+}
+
+VtkView::~VtkView() {
+  canvas_->removeEventFilter(this);
+  header_->removeEventFilter(this);
+}
+
+void VtkView::setSubtitle(const QString& text) {
+  subtitle_->setText(text);
+  subtitle_->setToolTip(text);
+}
+
+void VtkView::addHeaderWidget(QWidget* widget) { headerLayout_->insertWidget(headerLayout_->count() - 1, widget); }
+
+void VtkView::setLegend(QWidget* legend) {
+  legend_ = legend;
+  legend->setParent(canvas_);
+  legend->show();
+  placeLegend();
+}
+
+void VtkView::setMaximised(bool maximised) { maximise_->setChecked(maximised); }
+
+QWidget* VtkView::canvas() const { return canvas_; }
+
+void VtkView::look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction) {
+  const double aspect = static_cast<double>(std::max(1, canvas_->width())) / std::max(1, canvas_->height());
+  lookAt(*renderer_->GetActiveCamera(), box, viewing, direction, aspect);
+  scheduleRender();
+}
+
+void VtkView::copyCamera(const VtkView& other) {
+  vtkCamera* to = renderer_->GetActiveCamera();
+  vtkCamera* from = other.renderer_->GetActiveCamera();
+  to->SetPosition(from->GetPosition());
+  to->SetFocalPoint(from->GetFocalPoint());
+  to->SetViewUp(from->GetViewUp());
+  setCoarse(other.moving_);
+  scheduleRender();
+}
+
+void VtkView::scheduleRender() {
+  if (!render_.isActive()) render_.start();
+}
+
+void VtkView::renderNow() {
+  render_.stop();
+  if (!canvas_->isVisible()) return;
+  renderer_->ResetCameraClippingRange();
+  window_->Render();
+}
+
+void VtkView::beginMove() {
+  fullDetail_.stop();
+  moving_ = true;
+  setCoarse(true);
+}
+
+void VtkView::endMove() { fullDetail_.start(); }
+
+Eigen::Vector2d VtkView::displayPosition(QPoint p) const {
+  const double ratio = canvas_->devicePixelRatioF();
+  return {(p.x() + 0.5) * ratio, (canvas_->height() - 1 - p.y() + 0.5) * ratio};
+}
+
+Projection VtkView::projection() const {
+  const double ratio = canvas_->devicePixelRatioF();
+  Projection out;
+  out.width = std::max(1.0, canvas_->width() * ratio);
+  out.height = std::max(1.0, canvas_->height() * ratio);
+  vtkMatrix4x4* m =
+      renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix(out.width / out.height, -1, 1);
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) out.ndc_T_map(r, c) = m->GetElement(r, c);
+  return out;
+}
+
+PickRay VtkView::rayAt(QPoint position) const {
+  const Projection p = projection();
+  const Eigen::Vector2d at = displayPosition(position);
+  const double x = 2 * at.x() / p.width - 1, y = 2 * at.y() / p.height - 1;
+  const Eigen::Matrix4d back = p.ndc_T_map.inverse();
+  const Eigen::Vector3d near = (back * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
+  const Eigen::Vector3d far = (back * Eigen::Vector4d(x, y, 1, 1)).hnormalized();
+  // From the eye, not from the near plane: that one is fitted to what is drawn.
+  const Eigen::Vector3d eye(renderer_->GetActiveCamera()->GetPosition());
+  return {eye, (far - near).normalized()};
+}
+
+QPointF VtkView::canvasPosition(const Eigen::Vector3d& point) const {
+  const Projection p = projection();
+  const Eigen::Vector3d q = (p.ndc_T_map * point.homogeneous()).hnormalized();
+  return {(q.x() + 1) / 2 * canvas_->width() - 0.5, (1 - q.y()) / 2 * canvas_->height() - 0.5};
+}
+
+void VtkView::placeLegend() {
+  if (!legend_) return;
+  legend_->adjustSize();
+  legend_->move(10, std::max(0, canvas_->height() - legend_->height() - 10));
+  legend_->raise();
+}
+
+void VtkView::applyPalette() {
+  const QColor c = canvasColour(palette());
+  renderer_->SetBackground(c.redF(), c.greenF(), c.blueF());
+  scheduleRender();
+}
+
+void VtkView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) applyPalette();
+  QFrame::changeEvent(event);
+}
+
+bool VtkView::eventFilter(QObject* object, QEvent* event) {
+  if (object == header_ && event->type() == QEvent::MouseButtonDblClick) emit maximiseToggled();
+  if (object == canvas_) {
+    switch (event->type()) {
+      case QEvent::Resize: placeLegend(); break;
+      case QEvent::Show: scheduleRender(); break;
+      case QEvent::MouseButtonPress: {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        pressed_ = mouse->pos();
+        pressedLeft_ = mouse->button() == Qt::LeftButton;
+        break;
+      }
+      case QEvent::MouseButtonRelease: {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const bool click = pressedLeft_ && mouse->button() == Qt::LeftButton &&
+                           (mouse->pos() - pressed_).manhattanLength() <= 4;
+        pressedLeft_ = false;
+        if (click) emit clicked(mouse->pos());
+        break;
+      }
+      default: break;
+    }
+  }
+  return QFrame::eventFilter(object, event);
+}
+
+QString openGlProblem() {
+  QOpenGLContext context;
+  context.setFormat(QSurfaceFormat::defaultFormat());
+  const QString remedy = QObject::tr("install a graphics driver or Mesa's software renderer, or use stratascope-cli");
+  if (!context.create()) return QObject::tr("OpenGL cannot be used on this display; %1").arg(remedy);
+  const auto version = context.format().version();
+  if (version < qMakePair(3, 2))
+    return QObject::tr("OpenGL 3.2 is needed, this display has %1.%2; %3")
+        .arg(version.first)
+        .arg(version.second)
+        .arg(remedy);
+  return {};
+}
+
+void prepareOpenGl() {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);  // two to three times faster without a graphics card
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+}  // namespace stratascope

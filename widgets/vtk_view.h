@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QFrame>
+#include <QPoint>
+#include <QTimer>
+
+#include "widgets/camera.h"
+#include "widgets/picking.h"
+
+class QBoxLayout;
+class QLabel;
+class QToolButton;
+class QVTKOpenGLNativeWidget;
+
+namespace stratascope {
+
+/// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing while it
+/// moves. The vertical stays vertical. Needs OpenGL (see openGlProblem()).
+class VtkView : public QFrame {
+  Q_OBJECT
+ public:
+  explicit VtkView(const QString& title, QWidget* parent = nullptr);
+  ~VtkView() override;
+
+  void setSubtitle(const QString& text);
+  /// Shown at the right of the header.
+  void addHeaderWidget(QWidget* widget);
+  /// Floats over the picture, at its lower left corner.
+  void setLegend(QWidget* legend);
+  void setMaximised(bool maximised);
+
+  void look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction);
+  void copyCamera(const VtkView& other);
+
+  /// Draws at the next chance; many calls make one picture.
+  void scheduleRender();
+  void renderNow();
+  /// The picture as last drawn, with the overlays.
+  QWidget* canvas() const;
+
+  PickRay rayAt(QPoint widgetPosition) const;
+  Projection projection() const;
+  /// In VTK's device pixels, origin at the lower left.
+  Eigen::Vector2d displayPosition(QPoint widgetPosition) const;
+  /// Where a point of the map is on the canvas.
+  QPointF canvasPosition(const Eigen::Vector3d& point) const;
+
+ signals:
+  void clicked(QPoint widgetPosition);
+  void cameraMoved();
+  void maximiseToggled();
+
+ protected:
+  /// While the camera moves.
+  virtual void setCoarse(bool coarse) = 0;
+  vtkRenderer* renderer() const { return renderer_; }
+  bool eventFilter(QObject* object, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void beginMove();
+  void endMove();
+  void placeLegend();
+  void applyPalette();
+
+  QVTKOpenGLNativeWidget* canvas_;
+  QWidget* header_;
+  QBoxLayout* headerLayout_;
+  QLabel* subtitle_;
+  QToolButton* maximise_;
+  QWidget* legend_ = nullptr;
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+  QTimer fullDetail_;
+  QTimer render_;
+  QPoint pressed_;
+  bool pressedLeft_ = false;
+  bool moving_ = false;
+};
+
+/// Why no picture could be drawn here, in one line; empty if OpenGL 3.2 is there. Needs a QApplication.
+QString openGlProblem();
+/// Call before the QApplication is made: Qt's and VTK's surface must agree.
+void prepareOpenGl();
+
+}  // namespace stratascope
