@@ -3,6 +3,7 @@
 #include "segment/patch_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <tuple>
 
@@ -28,6 +29,8 @@ int PatchGraph::find(int patch) const {
 
 PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   const Patch &pa = patches_[static_cast<size_t>(a)], &pb = patches_[static_cast<size_t>(b)];
+  const double norms = std::sqrt(pa.sums.normal.squaredNorm() * pb.sums.normal.squaredNorm());
+  if (pa.sums.normal.dot(pb.sums.normal) < rules.cosLargestAngle * norms) return {0, false};
   const double slack = std::min(pa.sums.slack, pb.sums.slack);
   const double smaller = std::min(pa.sums.measured.n, pb.sums.measured.n);
   RangePlaneSums joint = pa.sums.local;

@@ -16,9 +16,10 @@ struct PatchSums {
   RangePlaneSums measured;  ///< of its neurons' points
   RangePlaneSums local;     ///< of points on each neuron's own local plane, a fixed lever away
   double slack = 0;         ///< squared error that the unevenness of real surfaces may add
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< sum of the neurons' normals
 
   PatchSums& operator+=(const PatchSums& o) {
-    measured += o.measured, local += o.local, slack += o.slack;
+    measured += o.measured, local += o.local, slack += o.slack, normal += o.normal;
     return *this;
   }
 };
@@ -33,6 +34,7 @@ public:
         0;  ///< growth of the measured squared error that noise alone explains (3 degrees of freedom)
     double disagreement = 0;  ///< mean squared disagreement of local planes that their own errors explain
     double flatness = 0;      ///< further growth per neuron of the smaller region: real surfaces are not flat
+    double cosLargestAngle = -1;  ///< mean normals farther apart than this never join
   };
 
   /// Returns its index.

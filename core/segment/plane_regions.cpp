@@ -63,6 +63,7 @@ struct Neurons {
     const double w = weight(i), reach = kLever;
     sums.measured.add(at, w);
     sums.slack += slack(i);
+    sums.normal += n;
     const Eigen::Vector3d foot = at - (n.dot(at) + normals.distance(i)) * n;
     const Eigen::Vector3d helper =
         std::abs(n.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
@@ -333,6 +334,8 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
   PatchGraph::Rules rules;
   rules.chiSquare = kChiSquare3;
   rules.disagreement = kDisagreement;
+  // Half: means of many normals are surer than the single ones the tolerance is meant for.
+  rules.cosLargestAngle = std::cos(degToRad(0.5 * params.angleToleranceDeg));
   graph.joinAll(rules, execution);
 
   // Regions from joined patches that are worth refining.
