@@ -8,10 +8,12 @@
 #include <map>
 
 #include "base/units.h"
-#include "cnn/layer.h"
 #include "cnn/neighbourhood.h"
 #include "layers/lattice_steps.h"
+#include "segment/borders.h"
+#include "segment/curved.h"
 #include "segment/patch_graph.h"
+#include "segment/region_neurons.h"
 
 namespace stratascope {
 
@@ -22,75 +24,6 @@ constexpr double kChiSquare3 = 21.1;
 // Local planes come from windows of some hundred neurons: mean squared disagreement within the windows'
 // reach, in units of a single neuron's noise, that their own errors explain.
 constexpr double kDisagreement = 0.15;
-constexpr double kFarSigmas = 3.5;
-constexpr double kLever = 0.125;    // metres: a tilt of 5° counts as a centimetre
-constexpr double kTiltShare = 0.3;  // error of a local plane at that lever, in a single neuron's noise
-// Walls and floors are uneven by about this share of the plane distance (7.5 mm by default): pieces nearer to
-// each other's plane than that are one.
-constexpr double kUnevenShare = 0.25;
-
-/// What the rules below ask about neurons.
-struct Neurons {
-  const PointImage& points;
-  const NormalImage& normals;
-  const PlaneParams& params;
-
-  bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
-  bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
-  Eigen::Vector3d q(GridIndex i) const { return points.points(i).cast<double>() - points.sensor; }
-  /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the
-  /// surface's own roughness.
-  double variance(GridIndex i, double cosine) const {
-    const double sigma = normals.noise.sigmaAt(points.range(i)),
-                 rough = RangeNoise::kRoughness / std::max(0.05, cosine);
-    return sigma * sigma + rough * rough;
-  }
-  double cosine(GridIndex i) const {
-    return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i)
-                        : 0.5;
-  }
-  double weight(GridIndex i) const {
-    return double(points.range(i)) * points.range(i) / variance(i, cosine(i));
-  }
-  /// What unevenness may cost at this neuron, in units of the noise.
-  double slack(GridIndex i) const {
-    const double c = std::max(0.05, cosine(i)), uneven = kUnevenShare * params.planeDistance / c;
-    return uneven * uneven / variance(i, c);
-  }
-  /// The neuron's own point, and four on its local plane around it.
-  void addTo(PatchSums& sums, GridIndex i) const {
-    const Eigen::Vector3d at = q(i), n = normals.normals(i).cast<double>();
-    const double w = weight(i), reach = kLever;
-    sums.measured.add(at, w);
-    sums.slack += slack(i);
-    sums.normal += n;
-    const Eigen::Vector3d foot = at - (n.dot(at) + normals.distance(i)) * n;
-    const Eigen::Vector3d helper =
-        std::abs(n.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-    const Eigen::Vector3d u = reach * helper.cross(n).normalized(), v = n.cross(u);
-    for (const Eigen::Vector3d& p : {Eigen::Vector3d(foot + u), Eigen::Vector3d(foot - u),
-                                     Eigen::Vector3d(foot + v), Eigen::Vector3d(foot - v)})
-      sums.local.add(p, 0.25 * w);
-  }
-  /// Squared disagreement of the neuron's normal with a plane in the errors normals have; 0 without a normal.
-  double tilt(GridIndex i, const RangePlane& plane) const {
-    if (!hasNormal(i)) return 0;
-    const double sine = normals.normals(i).cast<double>().cross(plane.normal()).norm();
-    const double cosine = std::max(0.05, plane.cosIncidence(q(i)));
-    const double spread = std::max(kTiltShare * std::sqrt(variance(i, cosine)), 0.5 * kUnevenShare * params.planeDistance);
-    const double tilted = kLever * sine / spread;
-    return tilted * tilted;
-  }
-  /// Range error against a plane in standard deviations; infinite beyond the plane distance.
-  double error(GridIndex i, const RangePlane& plane) const {
-    const Eigen::Vector3d at = q(i);
-    if (std::abs(plane.distance(at)) > params.planeDistance) return std::numeric_limits<double>::infinity();
-    const double along = plane.rangeError(at);
-    const double cosine = std::max(0.05, plane.cosIncidence(at)),
-                 uneven = 0.5 * kUnevenShare * params.planeDistance / cosine;
-    return std::abs(along) / std::sqrt(variance(i, cosine) + uneven * uneven);
-  }
-};
 
 /// Labels the patches: within each block, neighbouring neurons whose normals and local planes agree.
 class Patches {
@@ -167,77 +100,6 @@ void connectPatches(const Grid<std::int32_t>& patch, PatchGraph& graph) {
     }
 }
 
-/// The synchronous rule of borders: of the planes around, the one with the least error and the most
-/// neighbours.
-class BorderRule {
-public:
-  BorderRule(const Neurons& neurons, const std::vector<RangePlane>& planes, const std::vector<char>& alive)
-      : neurons_(neurons),
-        planes_(planes),
-        alive_(alive) {}
-
-  std::int32_t operator()(GridIndex at, const Grid<std::int32_t>& now) const {
-    const std::int32_t own = now(at);
-    if (!neurons_.hasReturn(at)) return kNoRegion;
-    std::array<std::int32_t, 8> label{};
-    std::array<int, 8> votes{};
-    int kinds = 0, ownVotes = 0;
-    for (const GridIndex& d : kLatticeDirections) {
-      const GridIndex from{at.row + d.row, at.col + d.col};
-      if (!now.contains(from)) continue;
-      const std::int32_t l = now(from);
-      if (l == kNoRegion) continue;
-      if (l == own) {
-        ++ownVotes;
-        continue;
-      }
-      int k = 0;
-      while (k < kinds && label[static_cast<size_t>(k)] != l) ++k;
-      if (k == kinds) label[static_cast<size_t>(kinds++)] = l, votes[static_cast<size_t>(k)] = 0;
-      ++votes[static_cast<size_t>(k)];
-    }
-    const bool ownAlive = own != kNoRegion && alive_[static_cast<size_t>(own)];
-    if (ownAlive && kinds == 0 && ownVotes == 8) return own;
-    std::int32_t best = kNoRegion;
-    double least = kInfinite;
-    if (ownAlive) {
-      const double c = cost(at, own, ownVotes);
-      if (c < least) least = c, best = own;
-    }
-    for (int k = 0; k < kinds; ++k) {
-      if (!alive_[static_cast<size_t>(label[static_cast<size_t>(k)])]) continue;
-      const double c = cost(at, label[static_cast<size_t>(k)], votes[static_cast<size_t>(k)]);
-      if (c < least) least = c, best = label[static_cast<size_t>(k)];
-    }
-    return best;
-  }
-
-private:
-  // Half a squared error in σ, less what agreeing neighbours are worth.
-  static constexpr double kInfinite = 1e30;
-  static constexpr double kVote = 0.6;
-  static constexpr double kAround = 8;
-
-  double cost(GridIndex at, std::int32_t label, int votes) const {
-    const RangePlane& plane = planes_[static_cast<size_t>(label)];
-    const double error = neurons_.error(at, plane);
-    if (!(error <= kFarSigmas)) return kInfinite;
-    // A single neuron says little; what lies around it says where the border runs.
-    double around = 0, count = 0;
-    RegularNeighbourhood{2}.forEach(at, neurons_.points.range.rows(), neurons_.points.range.cols(), [&](GridIndex near) {
-      if (!neurons_.hasReturn(near)) return;
-      const double e = neurons_.error(near, plane);
-      around += std::min(e * e, kFarSigmas * kFarSigmas);
-      count += 1;
-    });
-    return 0.5 * (error * error + neurons_.tilt(at, plane) + kAround * around / count) - kVote * votes;
-  }
-
-  const Neurons& neurons_;
-  const std::vector<RangePlane>& planes_;
-  const std::vector<char>& alive_;
-};
-
 void refit(const Neurons& neurons, PlaneRegions& regions) {
   std::vector<RangePlaneSums> sums(regions.planes.size());
   for (int i = 0; i < regions.region.rows(); ++i)
@@ -256,8 +118,11 @@ void refit(const Neurons& neurons, PlaneRegions& regions) {
   }
 }
 
-// Regions that met only after their borders had settled: the same rule of joining once more, on whole regions.
-void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules, PlaneRegions& regions, const Execution& execution) {
+// Regions that met only after their borders had settled: the same rule of joining once more, on whole
+// regions.
+void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules,
+                 const std::vector<std::pair<std::int32_t, std::int32_t>>& alsoConnected,
+                 PlaneRegions& regions, const Execution& execution) {
   const Grid<std::int32_t>& region = regions.region;
   std::vector<PatchSums> sums(regions.planes.size());
   for (int i = 0; i < region.rows(); ++i)
@@ -268,14 +133,15 @@ void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules, PlaneRe
   PatchGraph graph;
   for (const PatchSums& s : sums) graph.addPatch(s);
   connectPatches(region, graph);
+  for (const auto& [a, b] : alsoConnected) graph.connect(a, b);
   graph.joinAll(rules, execution);
   for (std::int32_t& l : regions.region.values())
     if (l != kNoRegion) l = graph.find(l);
   refit(neurons, regions);
 }
 
-// A region whose neurons the planes around it explain nearly as well is no plane of its own, but a sliver astride a crease
-// or a ragged rest. Smallest first; each sees the ones before it gone.
+// A region whose neurons the planes around it explain nearly as well is no plane of its own, but a sliver
+// astride a crease or a ragged rest. Smallest first; each sees the ones before it gone.
 void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<char>& alive) {
   constexpr double kNearlyAsWell = 0.7;  // mean growth of the squared error, in σ²
   const Grid<std::int32_t>& region = regions.region;
@@ -286,7 +152,8 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
       const std::int32_t l = region({i, j});
       if (l == kNoRegion) continue;
       members[static_cast<size_t>(l)].push_back({i, j});
-      for (const GridIndex to : {GridIndex{i, j + 1}, GridIndex{i + 1, j}, GridIndex{i, j + 2}, GridIndex{i + 2, j}}) {
+      for (const GridIndex to :
+           {GridIndex{i, j + 1}, GridIndex{i + 1, j}, GridIndex{i, j + 2}, GridIndex{i + 2, j}}) {
         if (!region.contains(to) || region(to) == kNoRegion || region(to) == l) continue;
         around[static_cast<size_t>(l)].push_back(region(to));
         around[static_cast<size_t>(region(to))].push_back(l);
@@ -294,13 +161,17 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
     }
   std::vector<size_t> order(regions.planes.size());
   for (size_t l = 0; l < order.size(); ++l) order[l] = l;
-  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return regions.size[a] != regions.size[b] ? regions.size[a] < regions.size[b] : a < b; });
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return regions.size[a] != regions.size[b] ? regions.size[a] < regions.size[b] : a < b;
+  });
   for (size_t l : order) {
     if (!alive[l] || members[l].empty()) continue;
     auto& others = around[l];
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    others.erase(std::remove_if(others.begin(), others.end(), [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; }), others.end());
+    others.erase(std::remove_if(others.begin(), others.end(),
+                                [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; }),
+                 others.end());
     if (others.empty()) continue;
     double growth = 0;
     for (const GridIndex& at : members[l]) {
@@ -316,13 +187,70 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
   }
 }
 
+// Pieces of one plane with something standing in front of the gap between them (a pillar before a wall).
+// Along lattice lines and beams from one piece to the other, every neuron of the gap must lie before the
+// plane or have no return.
+class OccludedGaps {
+public:
+  OccludedGaps(const Neurons& neurons, const PlaneRegions& regions) : neurons_(neurons), regions_(regions) {}
+
+  /// Pairs worth joining, by the share of their gaps that is occluded.
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs(double cosSame) const {
+    const Grid<std::int32_t>& region = regions_.region;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::pair<int, int>> seen;  // occluded, all
+    for (int i = 0; i < region.rows(); ++i) walk({i, 0}, {0, 1}, region.cols(), cosSame, seen);
+    for (int j = 0; j < region.cols(); ++j) walk({0, j}, {1, 0}, region.rows(), cosSame, seen);
+    constexpr int kFewest = 5;
+    std::vector<std::pair<std::int32_t, std::int32_t>> result;
+    for (const auto& [pair, count] : seen)
+      if (count.first >= kFewest && count.first >= 0.8 * count.second) result.push_back(pair);
+    return result;
+  }
+
+private:
+  template <class Seen>
+  void walk(GridIndex from, GridIndex step, int length, double cosSame, Seen& seen) const {
+    constexpr int kWidestGap = 160;  // neurons
+    std::map<std::int32_t, int> lastAt;
+    std::int32_t before = kNoRegion;
+    auto neuron = [&](int k) { return GridIndex{from.row + k * step.row, from.col + k * step.col}; };
+    for (int k = 0; k < length; ++k) {
+      const std::int32_t here = regions_.region(neuron(k));
+      if (here != kNoRegion && here != before)
+        for (const auto& [other, at] : lastAt) {
+          if (other == here || k - at > kWidestGap || k - at < 2) continue;
+          const RangePlane &a = regions_.planes[static_cast<size_t>(here)],
+                           &b = regions_.planes[static_cast<size_t>(other)];
+          if (a.normal().dot(b.normal()) < cosSame) continue;
+          auto& count = seen[std::minmax(here, other)];
+          ++count.second;
+          bool occluded = true;
+          for (int g = at + 1; g < k && occluded; ++g) {
+            const GridIndex gap = neuron(g);
+            if (!neurons_.hasReturn(gap)) continue;
+            // The larger region's plane is the better known.
+            const RangePlane& plane =
+                regions_.size[static_cast<size_t>(here)] > regions_.size[static_cast<size_t>(other)] ? a : b;
+            occluded = plane.rangeError(neurons_.q(gap)) > -0.02;
+          }
+          count.first += occluded ? 1 : 0;
+        }
+      before = here;
+      if (here != kNoRegion) lastAt[here] = k;
+    }
+  }
+
+  const Neurons& neurons_;
+  const PlaneRegions& regions_;
+};
+
 }  // namespace
 
 PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
                               const Execution& execution) {
   const Neurons neurons{points, normals, params};
-  const LatticeSteps steps = measureLatticeSteps(points, execution);
-  const LatticeSteps::Step middle = steps.at({points.range.rows() / 2, points.range.cols() / 2});
+  const LatticeSteps latticeSteps = measureLatticeSteps(points, execution);
+  const LatticeSteps::Step middle = latticeSteps.at({points.range.rows() / 2, points.range.cols() / 2});
   // Blocks about square in space.
   const int blockBeams = 4;
   const int blockLines = std::clamp(
@@ -354,23 +282,28 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
   regions.size.assign(regions.planes.size(), 0);
   std::vector<char> alive(regions.planes.size(), 1);
 
-  auto settleBorders = [&](int steps_) {
-    Layer<std::int32_t> layer(std::move(regions.region));
-    layer.settle(BorderRule(neurons, regions.planes, alive), steps_, execution);
-    regions.region = std::move(layer).release();
+  auto settle = [&](int steps) {
+    settleBorders(neurons, alive, steps, regions, execution);
     refit(neurons, regions);
   };
-  settleBorders(4 * blockLines);
-  joinRegions(neurons, rules, regions, execution);
+  settle(4 * blockLines);
+  joinRegions(neurons, rules, {}, regions, execution);
   dissolveSlivers(neurons, regions, alive);
-  settleBorders(4 * blockLines);
-  joinRegions(neurons, rules, regions, execution);
+  settle(4 * blockLines);
+  joinRegions(neurons, rules, {}, regions, execution);
   for (size_t l = 0; l < alive.size(); ++l)
     alive[l] = alive[l] && regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
-  settleBorders(2 * blockLines);
+  settle(2 * blockLines);
+  const std::vector<char> curved = findCurvedRegions(neurons, regions);
+  for (std::int32_t& l : regions.region.values())
+    if (l != kNoRegion && curved[static_cast<size_t>(l)]) l = kNoRegion;
+  if (params.joinCoplanar)
+    joinRegions(neurons, rules, OccludedGaps(neurons, regions).pairs(rules.cosLargestAngle), regions,
+                execution);
   for (size_t o = 0; o < regions.region.size(); ++o) {
     std::int32_t& l = regions.region[o];
-    if (l != kNoRegion && regions.size[static_cast<size_t>(l)] < static_cast<size_t>(params.minPlanePoints)) l = kNoRegion;
+    if (l != kNoRegion && regions.size[static_cast<size_t>(l)] < static_cast<size_t>(params.minPlanePoints))
+      l = kNoRegion;
   }
   refit(neurons, regions);
   return regions;

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/borders.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "cnn/layer.h"
+#include "cnn/neighbourhood.h"
+
+namespace stratascope {
+
+namespace {
+
+/// Which pairs of regions form a crease, and of which kind.
+class Creases {
+public:
+  enum class Kind : signed char { None, Convex, Concave };
+
+  Creases(const Neurons& neurons, const PlaneRegions& regions) {
+    // Neurons some steps inside one region, with the other region near: does the other plane lie before or
+    // behind them? A crease gives both sides the same answer; a jump in depth or a parallel plane does not.
+    constexpr int kInside = 7;
+    const Grid<std::int32_t>& region = regions.region;
+    struct Side {
+      double sum = 0, count = 0;
+    };
+    std::map<std::pair<std::int32_t, std::int32_t>, Side> sides;  // (own, other)
+    for (int i = 0; i < region.rows(); ++i)
+      for (int j = 0; j < region.cols(); ++j) {
+        const std::int32_t own = region({i, j});
+        if (own == kNoRegion) continue;
+        for (const GridIndex to : {GridIndex{i - kInside, j}, GridIndex{i + kInside, j},
+                                   GridIndex{i, j - kInside}, GridIndex{i, j + kInside}}) {
+          if (!region.contains(to)) continue;
+          const std::int32_t other = region(to);
+          if (other == kNoRegion || other == own) continue;
+          const Eigen::Vector3d q = neurons.q({i, j});
+          const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q) -
+                               regions.planes[static_cast<size_t>(own)].rangeError(q);
+          Side& side = sides[{own, other}];
+          side.sum += std::clamp(ahead, -1.0, 1.0);
+          side.count += 1;
+        }
+      }
+    constexpr double kFewest = 6;
+    for (const auto& [pair, side] : sides) {
+      if (pair.first > pair.second) continue;
+      const auto back = sides.find({pair.second, pair.first});
+      if (back == sides.end() || side.count < kFewest || back->second.count < kFewest) continue;
+      if (side.sum < 0 && back->second.sum < 0) kinds_[pair] = Kind::Convex;
+      if (side.sum > 0 && back->second.sum > 0) kinds_[pair] = Kind::Concave;
+    }
+  }
+
+  Kind between(std::int32_t a, std::int32_t b) const {
+    const auto found = kinds_.find(std::minmax(a, b));
+    return found == kinds_.end() ? Kind::None : found->second;
+  }
+
+private:
+  std::map<std::pair<std::int32_t, std::int32_t>, Kind> kinds_;
+};
+
+class BorderRule {
+public:
+  BorderRule(const Neurons& neurons, const std::vector<RangePlane>& planes, const std::vector<char>& alive,
+             const Creases& creases)
+      : neurons_(neurons), planes_(planes), alive_(alive), creases_(creases) {}
+
+  std::int32_t operator()(GridIndex at, const Grid<std::int32_t>& now) const {
+    if (!neurons_.hasReturn(at)) return kNoRegion;
+    const std::int32_t own = now(at);
+    std::array<Choice, 9> choices{};
+    int kinds = 0, same = 0;
+    auto vote = [&](std::int32_t label, int worth) {
+      if (label == kNoRegion || !alive_[static_cast<size_t>(label)]) return;
+      int k = 0;
+      while (k < kinds && choices[static_cast<size_t>(k)].label != label) ++k;
+      if (k == kinds) choices[static_cast<size_t>(kinds++)].label = label;
+      choices[static_cast<size_t>(k)].votes += worth;
+    };
+    vote(own, 0);
+    for (const GridIndex& d : kLatticeDirections) {
+      const GridIndex from{at.row + d.row, at.col + d.col};
+      if (!now.contains(from)) continue;
+      vote(now(from), 1);
+      same += now(from) == own ? 1 : 0;
+    }
+    if (same == 8) return kinds > 0 ? own : kNoRegion;
+    for (int k = 0; k < kinds; ++k) weigh(at, choices[static_cast<size_t>(k)]);
+    // Of two planes that both fit, the one on the wrong side of their crease pays.
+    for (int a = 0; a < kinds; ++a)
+      for (int b = a + 1; b < kinds; ++b) {
+        Choice &x = choices[static_cast<size_t>(a)], &y = choices[static_cast<size_t>(b)];
+        if (x.cost >= kInfinite || y.cost >= kInfinite) continue;
+        const Creases::Kind kind = creases_.between(x.label, y.label);
+        if (kind == Creases::Kind::None) continue;
+        const bool xIsFarther = x.ahead > y.ahead;
+        (xIsFarther == (kind == Creases::Kind::Convex) ? y : x).cost += kWrongSide;
+      }
+    std::int32_t best = kNoRegion;
+    double least = kInfinite;
+    for (int k = 0; k < kinds; ++k)
+      if (choices[static_cast<size_t>(k)].cost < least)
+        least = choices[static_cast<size_t>(k)].cost, best = choices[static_cast<size_t>(k)].label;
+    return best;
+  }
+
+private:
+  struct Choice {
+    std::int32_t label = kNoRegion;
+    int votes = 0;
+    double cost = 0;
+    double ahead = 0;  // how far behind the measured point the plane lies along the beam
+  };
+  static constexpr double kInfinite = 1e30;
+  static constexpr double kVote = 0.6;  // worth of an agreeing neighbour, beside half a squared error in σ
+  static constexpr double kWrongSide = 1e3;
+
+  void weigh(GridIndex at, Choice& choice) const {
+    const RangePlane& plane = planes_[static_cast<size_t>(choice.label)];
+    const double error = neurons_.error(at, plane);
+    choice.ahead = plane.rangeError(neurons_.q(at));
+    choice.cost = error <= kFarSigmas
+                      ? 0.5 * (error * error + neurons_.tilt(at, plane)) - kVote * choice.votes
+                      : kInfinite;
+  }
+
+  const Neurons& neurons_;
+  const std::vector<RangePlane>& planes_;
+  const std::vector<char>& alive_;
+  const Creases& creases_;
+};
+
+}  // namespace
+
+void settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
+                   PlaneRegions& regions, const Execution& execution) {
+  const Creases creases(neurons, regions);
+  const BorderRule rule(neurons, regions.planes, alive, creases);
+  Layer<std::int32_t> layer(std::move(regions.region));
+  layer.settle(rule, mostSteps, execution);
+  regions.region = std::move(layer).release();
+}
+
+}  // namespace stratascope

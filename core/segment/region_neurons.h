@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "layers/products.h"
+#include "params/pipeline_params.h"
+#include "segment/patch_graph.h"
+
+namespace stratascope {
+
+/// From how many standard deviations on a neuron is not of a plane.
+inline constexpr double kFarSigmas = 3.5;
+/// Metres: where normals are compared as distances; a tilt of 5° counts as a centimetre.
+inline constexpr double kLever = 0.125;
+/// Error of a local plane at that lever, in a single neuron's noise.
+inline constexpr double kTiltShare = 0.3;
+/// Walls and floors are uneven by about this share of the plane distance (7.5 mm by default): pieces nearer
+/// to each other's plane than that are one.
+inline constexpr double kUnevenShare = 0.25;
+
+/// What the rules of segmentation ask about neurons. All in the sensor's frame.
+struct Neurons {
+  const PointImage& points;
+  const NormalImage& normals;
+  const PlaneParams& params;
+
+  bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
+  bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
+  Eigen::Vector3d q(GridIndex i) const { return points.points(i).cast<double>() - points.sensor; }
+  /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the
+  /// surface's own roughness.
+  double variance(GridIndex i, double cosine) const {
+    const double sigma = normals.noise.sigmaAt(points.range(i)),
+                 rough = RangeNoise::kRoughness / std::max(0.05, cosine);
+    return sigma * sigma + rough * rough;
+  }
+  double cosine(GridIndex i) const {
+    return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i)
+                        : 0.5;
+  }
+  double weight(GridIndex i) const {
+    return double(points.range(i)) * points.range(i) / variance(i, cosine(i));
+  }
+  /// What unevenness may cost at this neuron, in units of the noise.
+  double slack(GridIndex i) const {
+    const double c = std::max(0.05, cosine(i)), uneven = kUnevenShare * params.planeDistance / c;
+    return uneven * uneven / variance(i, c);
+  }
+  /// The neuron's own point, and four on its local plane around it.
+  void addTo(PatchSums& sums, GridIndex i) const {
+    const Eigen::Vector3d at = q(i), n = normals.normals(i).cast<double>();
+    const double w = weight(i), reach = kLever;
+    sums.measured.add(at, w);
+    sums.slack += slack(i);
+    sums.normal += n;
+    const Eigen::Vector3d foot = at - (n.dot(at) + normals.distance(i)) * n;
+    const Eigen::Vector3d helper =
+        std::abs(n.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d u = reach * helper.cross(n).normalized(), v = n.cross(u);
+    for (const Eigen::Vector3d& p : {Eigen::Vector3d(foot + u), Eigen::Vector3d(foot - u),
+                                     Eigen::Vector3d(foot + v), Eigen::Vector3d(foot - v)})
+      sums.local.add(p, 0.25 * w);
+  }
+  /// Squared disagreement of the neuron's normal with a plane in the errors normals have; 0 without a normal.
+  double tilt(GridIndex i, const RangePlane& plane) const {
+    if (!hasNormal(i)) return 0;
+    const double sine = normals.normals(i).cast<double>().cross(plane.normal()).norm();
+    const double cosine = std::max(0.05, plane.cosIncidence(q(i)));
+    const double spread =
+        std::max(kTiltShare * std::sqrt(variance(i, cosine)), 0.5 * kUnevenShare * params.planeDistance);
+    const double tilted = kLever * sine / spread;
+    return tilted * tilted;
+  }
+  /// Range error against a plane in standard deviations; infinite where it exceeds both what noise explains
+  /// and the plane distance.
+  double error(GridIndex i, const RangePlane& plane) const {
+    const Eigen::Vector3d at = q(i);
+    const double along = plane.rangeError(at);
+    const double cosine = std::max(0.05, plane.cosIncidence(at)),
+                 uneven = 0.5 * kUnevenShare * params.planeDistance / cosine;
+    const double noise = std::sqrt(variance(i, cosine));
+    if (std::abs(plane.distance(at)) > std::max(params.planeDistance, kFarSigmas * noise * cosine))
+      return std::numeric_limits<double>::infinity();
+    return std::abs(along) / std::sqrt(noise * noise + uneven * uneven);
+  }
+};
+
+}  // namespace stratascope
