@@ -14,7 +14,7 @@ void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vect
   constexpr double kMargin = 1.06;
   const Eigen::Vector3d ahead(viewing.x(), viewing.y(), 0);
   const Eigen::Vector3d left(-ahead.y(), ahead.x(), 0);
-  Eigen::Vector3d look, up = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d look = ahead, up = Eigen::Vector3d::UnitZ();
   switch (direction) {
     // Behind the sensor, a little to its right, from above.
     case ViewDirection::Iso: look = (ahead + 0.55 * left - 0.85 * Eigen::Vector3d::UnitZ()).normalized(); break;
@@ -22,7 +22,7 @@ void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vect
       look = -Eigen::Vector3d::UnitZ();
       up = ahead;
       break;
-    case ViewDirection::Front: look = ahead; break;
+    case ViewDirection::Front: break;
     case ViewDirection::Side: look = left; break;
   }
   const Eigen::Vector3d right = look.cross(up).normalized();

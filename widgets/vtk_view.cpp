@@ -61,7 +61,7 @@ class UprightStyle : public vtkInteractorStyleTrackballCamera {
   void OnChar() override {}
   void OnKeyPress() override {}
 };
-vtkStandardNewMacro(UprightStyle);
+vtkStandardNewMacro(UprightStyle)
 
 void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
   vtkNew<vtkCallbackCommand> command;
