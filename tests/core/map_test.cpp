@@ -184,9 +184,8 @@ TEST(IntervalMap, SixHeightsInAllOrders) {
   } while (std::next_permutation(heights.begin(), heights.end()));
   EXPECT_EQ(orders, 720);
   EXPECT_EQ(linked, (std::set<std::vector<std::pair<float, float>>>{{{0, 0.45f}, {1.0f, 1.1f}}}));
-  RecordProperty("paper_maps", static_cast<int>(paper.size()));
-  EXPECT_GE(paper.size(), 3u);
-  EXPECT_LE(paper.size(), 4u);
+  EXPECT_EQ(paper.size(), 4u);
+  EXPECT_EQ(paperCounts, (std::set<size_t>{2, 3}));
 }
 
 TEST(IntervalMap, PaperRuleTakesTheFirstRecordThatMatches) {

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/progress.h"
+#include "app/cli/text_table.h"
+#include "io/scan_io.h"
+#include "scan/scan_summary.h"
+
+namespace stratascope::cli {
+namespace {
+
+struct ConvertOptions {
+  std::string scan, out;
+};
+
+/// Throws BadArguments unless a format that can be written has the extension of `path`.
+void requireWritable(const std::string& path) {
+  std::string known;
+  for (const FormatInfo& format : scanFormats()) {
+    if (!format.canWrite) continue;
+    for (const std::string extension : format.extensions) {
+      if (path.size() > extension.size() && path.ends_with(extension)) return;
+      known += (known.empty() ? "" : ", ") + extension;
+    }
+  }
+  throw BadArguments("OUT: '" + path + "' ends in no extension that can be written; use one of " + known);
+}
+
+Status convert(const ConvertOptions& options) {
+  requireWritable(options.out);
+  const auto scan = readScan(options.scan);
+  if (!scan) return scan.error();
+  const Status written = writeScan(*scan, options.out);
+  if (!written) return written;
+  for (const std::string& sentence : scan->notes) note(sentence);
+  if (const Eigen::Isometry3d& pose = scan->pose.map_T_scan; !pose.isApprox(Eigen::Isometry3d::Identity())) {
+    const RollPitchYaw angles = rollPitchYaw(pose.linear());
+    std::string text;
+    for (const double value : {pose.translation().x(), pose.translation().y(), pose.translation().z(),
+                               angles.rollDeg, angles.pitchDeg, angles.yawDeg})
+      text += (text.empty() ? "" : ",") + fixed(value, 6);
+    note(options.out + " has its points in the scan's own frame; its pose in the map is --pose=" + text);
+  }
+  return success();
+}
+
+}  // namespace
+
+void addConvert(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Writes a scan in another cloud format, told by OUT's extension");
+  command->add_option("SCAN", options->scan, "The scan's file")->required();
+  command
+      ->add_option("OUT", options->out,
+                   "The file to write: lattice and pose are kept where its format can hold them")
+      ->required();
+  command->callback([options, &action] { action = [options] { return convert(*options); }; });
+}
+
+}  // namespace stratascope::cli

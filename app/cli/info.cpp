@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/text_table.h"
+#include "io/scan_io.h"
+#include "scan/scan_summary.h"
+
+namespace stratascope::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+  std::string scan;
+  std::string pose;
+  bool json = false;
+};
+
+Json array(const Eigen::Vector3d& v) {
+  return Json::array({v.x(), v.y(), v.z()});
+}
+
+const char* originName(LatticeOrigin origin) {
+  switch (origin) {
+    case LatticeOrigin::Native:
+      return "native";
+    case LatticeOrigin::Recovered:
+      return "recovered";
+    case LatticeOrigin::Projected:
+      return "projected";
+  }
+  return "";
+}
+
+Json latticeJson(const Scan& scan) {
+  return {{"lines", scan.lattice->lines()},
+          {"beams", scan.lattice->beams()},
+          {"origin", originName(scan.latticeOrigin)}};
+}
+
+std::string asJson(const Scan& scan, const ScanSummary& summary) {
+  const Eigen::Isometry3d sensor = scan.pose.map_T_sensor();
+  const RollPitchYaw angles = rollPitchYaw(sensor.linear());
+  const Eigen::Quaterniond q(sensor.linear());
+  Json document;
+  document["file"] = scan.path;
+  document["format"] = scan.format;
+  document["points"] = summary.points;
+  document["lattice"] = scan.unordered() ? Json("none") : latticeJson(scan);
+  if (scan.unordered()) document["projection"] = latticeJson(scan);
+  document["missing"] = summary.missing;
+  document["bounds"] = nullptr;
+  if (summary.bounds)
+    document["bounds"] = {{"min", array(summary.bounds->min())}, {"max", array(summary.bounds->max())}};
+  document["fields"] = scan.fields;
+  document["sensor_pose"] = {{"position", array(sensor.translation())},
+                             {"roll", angles.rollDeg},
+                             {"pitch", angles.pitchDeg},
+                             {"yaw", angles.yawDeg},
+                             {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
+  document["notes"] = scan.notes;
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string asText(const Scan& scan, const ScanSummary& summary) {
+  const std::string size =
+      std::to_string(scan.lattice->lines()) + " x " + std::to_string(scan.lattice->beams());
+  std::string lattice = "none (" + size + " projected onto a sphere)";
+  if (!scan.unordered())
+    lattice =
+        size + " (lines x beams" + (scan.latticeOrigin == LatticeOrigin::Recovered ? ", recovered)" : ")");
+  std::string fields;
+  for (const std::string& field : scan.fields) fields += (fields.empty() ? "" : " ") + field;
+  const Eigen::Isometry3d sensor = scan.pose.map_T_sensor();
+  const RollPitchYaw angles = rollPitchYaw(sensor.linear());
+  std::string text;
+  const auto line = [&text](std::string name, const std::string& value) {
+    name.resize(10, ' ');
+    text += name + value + '\n';
+  };
+  line("file", scan.path);
+  line("format", scan.format);
+  line("points", std::to_string(summary.points));
+  line("lattice", lattice);
+  line("missing", std::to_string(summary.missing));
+  line("bounds", summary.bounds ? fixed(summary.bounds->min(), 3) + " to " + fixed(summary.bounds->max(), 3) +
+                                      " m, map frame"
+                                : "none");
+  line("fields", fields);
+  line("sensor", "at " + fixed(sensor.translation(), 3) + " m, roll " + fixed(angles.rollDeg, 2) + " pitch " +
+                     fixed(angles.pitchDeg, 2) + " yaw " + fixed(angles.yawDeg, 2) + " degrees");
+  for (const std::string& sentence : scan.notes) line("note", sentence);
+  return text;
+}
+
+Status info(const InfoOptions& options) {
+  ReadOptions reading;
+  if (!options.pose.empty()) {
+    const auto pose = poseFromText(options.pose);
+    if (!pose) throw BadArguments("--pose: " + pose.error().what + "; " + pose.error().remedy);
+    reading.pose = *pose;
+  }
+  const auto scan = readScan(options.scan, reading);
+  if (!scan) return scan.error();
+  const ScanSummary summary = summarize(*scan);
+  std::cout << (options.json ? asJson(*scan, summary) : asText(*scan, summary));
+  return success();
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = app.add_subcommand("info", "Tells what a scan file holds");
+  command->add_option("SCAN", options->scan, "The scan's file")->required();
+  command->add_option(
+      "--pose", options->pose,
+      "x,y,z,roll,pitch,yaw of the sensor in the map (m, degrees), for a scan in the sensor's own frame");
+  command->add_flag("--json", options->json, "One JSON document on standard output");
+  command->callback([options, &action] { action = [options] { return info(*options); }; });
+}
+
+}  // namespace stratascope::cli

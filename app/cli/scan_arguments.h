@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "base/expected.h"
+#include "scan/scan_lattice.h"
+
+namespace stratascope::cli {
+
+/// The files a list of SCAN arguments means: a directory stands for its UOS files scanNNN.3d in ascending
+/// order.
+Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arguments);
+
+/// Reads all files; `poses` is empty or one for each file (else BadArguments).
+Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
+                                         const std::vector<Eigen::Isometry3d>& poses);
+
+}  // namespace stratascope::cli

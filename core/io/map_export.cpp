@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "io/export.h"
+#include "io/number_text.h"
+
+namespace stratascope {
+
+std::string heightMapAsc(const HeightMap& map) {
+  const MapFrame& f = map.frame;
+  require(map.height.size() == f.size(), "heightMapAsc: heights do not fill the frame");
+  const Eigen::Vector2d corner = f.lowerCorner({f.kMin, f.lMin});
+  std::string text = "ncols " + std::to_string(f.columns) + "\nnrows " + std::to_string(f.rows);
+  text += "\nxllcorner " + numberText(corner.x()) + "\nyllcorner " + numberText(corner.y());
+  text += "\ncellsize " + numberText(f.cell) + "\nNODATA_value -9999\n";
+  for (int row = f.rows - 1; row >= 0; --row)
+    for (int column = 0; column < f.columns; ++column) {
+      const float z = map.height[f.offset({f.kMin + column, f.lMin + row})];
+      if (std::isnan(z))
+        text += "-9999";
+      else
+        appendNumber(text, z);
+      text += column + 1 < f.columns ? ' ' : '\n';
+    }
+  return text;
+}
+
+std::string intervalsCsv(const Snapshot& snapshot) {
+  require(snapshot.intervalMap != nullptr, "intervalsCsv: no interval map");
+  const IntervalMap& map = *snapshot.intervalMap;
+  const ObjectMap* objects = snapshot.objectMap.get();
+  require(!objects || objects->first.size() == map.records.size() + 1, "intervalsCsv: objects of another map");
+  std::string text = "k,l,x,y,min,max,points,objects\n";
+  for (size_t o = 0; o < map.frame.size(); ++o)
+    for (std::uint32_t r = map.first[o]; r < map.first[o + 1]; ++r) {
+      const CellIndex cell = map.frame.index(o);
+      const Eigen::Vector2d centre = map.frame.centre(cell);
+      const HeightInterval& record = map.records[r];
+      auto column = [&](auto value) { appendNumber(text, value), text += ','; };
+      column(cell.k), column(cell.l), column(centre.x()), column(centre.y());
+      column(record.min), column(record.max), column(record.points);
+      if (objects) {
+        bool first = true;
+        for (const PlaneLabel label : objects->objects(r)) {
+          if (!first) text += ';';
+          first = false;
+          appendNumber(text, label);
+        }
+      }
+      text += '\n';
+    }
+  return text;
+}
+
+}  // namespace stratascope
