@@ -17,12 +17,21 @@ struct GridIndex {
   bool operator==(const GridIndex&) const = default;
 };
 
+/// T{} but for Eigen's fixed-size types, which leave themselves uninitialised.
+template <class T>
+T zeroValue() {
+  if constexpr (requires { T::Zero(); })
+    return T(T::Zero());
+  else
+    return T{};
+}
+
 /// Dense row-major array with both dimensions known at run time. T is never bool (std::vector<bool> has no references).
 template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(int rows, int cols, const T& fill = T{}) : rows_(rows), cols_(cols) {
+  Grid(int rows, int cols, const T& fill = zeroValue<T>()) : rows_(rows), cols_(cols) {
     require(rows >= 0 && cols >= 0, "Grid: negative size");
     values_.assign(static_cast<size_t>(rows) * static_cast<size_t>(cols), fill);
   }

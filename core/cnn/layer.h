@@ -9,8 +9,9 @@
 
 namespace stratascope {
 
-/// A feed-forward layer: the state of every neuron follows from the layers before it. rule(GridIndex) → State, called
-/// once a neuron, possibly from several threads; it may read any finished layer but nothing of this one.
+/// A feed-forward layer: the state of every neuron follows from the layers before it. rule(GridIndex) →
+/// State, called once a neuron, possibly from several threads; it may read any finished layer but nothing of
+/// this one.
 template <class State, class Rule>
 Grid<State> feedForward(int lines, int beams, const Rule& rule, const Execution& execution = {}) {
   Grid<State> state(lines, beams);
@@ -21,11 +22,12 @@ Grid<State> feedForward(int lines, int beams, const Rule& rule, const Execution&
   return state;
 }
 
-/// A layer with feedback: locally connected finite state machines (Chua's wider sense) that step all at once. Every
-/// neuron reads the states at t and writes its state at t + 1 (two buffers), so the order of neurons cannot matter.
+/// A layer with feedback: locally connected finite state machines (Chua's wider sense) that step all at once.
+/// Every neuron reads the states at t and writes its state at t + 1 (two buffers), so the order of neurons
+/// cannot matter.
 template <class State>
 class Layer {
- public:
+public:
   explicit Layer(Grid<State> initial) : now_(std::move(initial)), next_(now_.rows(), now_.cols()) {}
 
   const Grid<State>& state() const { return now_; }
@@ -61,7 +63,7 @@ class Layer {
 
   Grid<State> release() && { return std::move(now_); }
 
- private:
+private:
   Grid<State> now_, next_;
 };
 

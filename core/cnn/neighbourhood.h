@@ -17,13 +17,15 @@ struct RegularNeighbourhood {
   /// Calls visit(GridIndex) for the members inside a lattice of the given size, in lattice order.
   template <class Visit>
   void forEach(GridIndex centre, int lines, int beams, const Visit& visit) const {
-    const int iEnd = std::min(lines - 1, centre.row + radius), jEnd = std::min(beams - 1, centre.col + radius);
+    const int iEnd = std::min(lines - 1, centre.row + radius),
+              jEnd = std::min(beams - 1, centre.col + radius);
     for (int i = std::max(0, centre.row - radius); i <= iEnd; ++i)
       for (int j = std::max(0, centre.col - radius); j <= jEnd; ++j) visit(GridIndex{i, j});
   }
 };
 
-/// The eight lattice directions, counter-clockwise as the sensor sees them when lines rise and beams go left to right.
+/// The eight lattice directions, counter-clockwise as the sensor sees them when lines rise and beams go left
+/// to right.
 inline constexpr std::array<GridIndex, 8> kLatticeDirections = {
     {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
 
@@ -37,8 +39,9 @@ struct ShellNeighbourhood {
     return squared <= epsilon1 * epsilon1 && squared >= epsilon2 * epsilon2;
   }
 
-  /// Walks from the neuron along one lattice direction to the first neighbour inside the shell. Missing returns are
-  /// stepped over; a neighbour beyond ε1 ends the walk (a jump in depth). {-1, -1} if there is none.
+  /// Walks from the neuron along one lattice direction to the first neighbour inside the shell. Missing
+  /// returns are stepped over; a neighbour beyond ε1 ends the walk (a jump in depth). {-1, -1} if there is
+  /// none.
   GridIndex firstAlong(const Grid<Eigen::Vector3f>& points, GridIndex centre, GridIndex direction) const {
     constexpr int kMostSteps = 256;  // bounds the work next to the sensor, where ε2 spans hundreds of neurons
     const Eigen::Vector3f& p = points(centre);

@@ -9,15 +9,19 @@ namespace stratascope {
 
 double outputOf(OutputFunction function, double x) {
   switch (function) {
-    case OutputFunction::Saturation: return 0.5 * (std::abs(x + 1) - std::abs(x - 1));
-    case OutputFunction::Sign: return x > 0 ? 1 : x < 0 ? -1 : 0;
-    case OutputFunction::Identity: return x;
+    case OutputFunction::Saturation:
+      return 0.5 * (std::abs(x + 1) - std::abs(x - 1));
+    case OutputFunction::Sign:
+      return x > 0 ? 1 : x < 0 ? -1 : 0;
+    case OutputFunction::Identity:
+      return x;
   }
   throw std::logic_error("outputOf: unknown function");
 }
 
 void CnnTemplate::check() const {
-  require(feedback.rows() == feedback.cols() && feedback.rows() % 2 == 1, "CnnTemplate: A must be square and odd");
+  require(feedback.rows() == feedback.cols() && feedback.rows() % 2 == 1,
+          "CnnTemplate: A must be square and odd");
   require(feedForward.rows() == feedback.rows() && feedForward.cols() == feedback.cols(),
           "CnnTemplate: B must be of A's size");
 }
@@ -40,10 +44,15 @@ double weighted(const Grid<double>& weights, const Grid<double>& values, GridInd
 
 }  // namespace
 
-TemplateNetwork::TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state, Grid<double> input, double boundary)
-    : template_(std::move(cloningTemplate)), state_(std::move(state)), input_(std::move(input)), boundary_(boundary) {
+TemplateNetwork::TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state, Grid<double> input,
+                                 double boundary)
+    : template_(std::move(cloningTemplate)),
+      state_(std::move(state)),
+      input_(std::move(input)),
+      boundary_(boundary) {
   template_.check();
-  require(state_.rows() == input_.rows() && state_.cols() == input_.cols(), "TemplateNetwork: state and input differ in size");
+  require(state_.rows() == input_.rows() && state_.cols() == input_.cols(),
+          "TemplateNetwork: state and input differ in size");
   next_ = Grid<double>(state_.rows(), state_.cols());
   output_ = Grid<double>(state_.rows(), state_.cols());
 }
@@ -74,7 +83,9 @@ void TemplateNetwork::step(double keep, double gain, const Execution& execution)
   std::swap(state_, next_);
 }
 
-void TemplateNetwork::stepDiscrete(const Execution& execution) { step(0, 1, execution); }
+void TemplateNetwork::stepDiscrete(const Execution& execution) {
+  step(0, 1, execution);
+}
 
 void TemplateNetwork::stepContinuous(double dt, const Execution& execution) {
   require(dt > 0 && dt <= 1, "TemplateNetwork: dt must lie in (0, 1]");
@@ -107,14 +118,16 @@ Grid<double> square3(std::initializer_list<double> weights) {
 }  // namespace
 
 CnnTemplate majority() {
-  return {square3({0, 1, 0, 1, 2, 1, 0, 1, 0}), square3({0, 0, 0, 0, 0, 0, 0, 0, 0}), 0, OutputFunction::Saturation};
+  return {square3({0, 1, 0, 1, 2, 1, 0, 1, 0}), square3({0, 0, 0, 0, 0, 0, 0, 0, 0}), 0,
+          OutputFunction::Saturation};
 }
 CnnTemplate edges() {
   return {square3({0, 0, 0, 0, 1, 0, 0, 0, 0}), square3({-1, -1, -1, -1, 8, -1, -1, -1, -1}), -1,
           OutputFunction::Saturation};
 }
 CnnTemplate inversion() {
-  return {square3({0, 0, 0, 0, 1, 0, 0, 0, 0}), square3({0, 0, 0, 0, -2, 0, 0, 0, 0}), 0, OutputFunction::Saturation};
+  return {square3({0, 0, 0, 0, 1, 0, 0, 0, 0}), square3({0, 0, 0, 0, -2, 0, 0, 0, 0}), 0,
+          OutputFunction::Saturation};
 }
 }  // namespace template_library
 

@@ -29,24 +29,26 @@ struct CnnTemplate {
   void check() const;
 };
 
-/// A layer of scalar neurons under one template. Neurons outside the lattice are held at `boundary` (as state and input).
-/// All neurons step synchronously; results do not depend on threads.
+/// A layer of scalar neurons under one template. Neurons outside the lattice are held at `boundary` (as state
+/// and input). All neurons step synchronously; results do not depend on threads.
 class TemplateNetwork {
- public:
+public:
   /// state: x(0); input: u; same size.
   TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state, Grid<double> input, double boundary = 0);
 
   /// Discrete time, Eq. (2) corrected: x(t+1) = Σ A·y(t) + Σ B·u + I, y_ij = f(x_ij).
   void stepDiscrete(const Execution& execution = {});
-  /// Continuous time, Eq. (1) corrected: dx/dt = −x + Σ A·f(x) + Σ B·u + I, by one Euler step of length dt in (0, 1].
+  /// Continuous time, Eq. (1) corrected: dx/dt = −x + Σ A·f(x) + Σ B·u + I, by one Euler step of length dt in
+  /// (0, 1].
   void stepContinuous(double dt, const Execution& execution = {});
-  /// Euler steps until no state moves by more than `tolerance` a step; returns the steps taken, at most `most`.
+  /// Euler steps until no state moves by more than `tolerance` a step; returns the steps taken, at most
+  /// `most`.
   int settle(double dt, double tolerance, int most, const Execution& execution = {});
 
   const Grid<double>& state() const { return state_; }
   Grid<double> output() const;
 
- private:
+private:
   void step(double keep, double gain, const Execution& execution);
   void computeDrive(const Execution& execution);
 
@@ -57,7 +59,8 @@ class TemplateNetwork {
 
 /// Well-known templates (3 × 3).
 namespace template_library {
-/// Binary smoothing: a neuron follows the majority of itself (twice) and its four neighbours; input only as x(0).
+/// Binary smoothing: a neuron follows the majority of itself (twice) and its four neighbours; input only as
+/// x(0).
 CnnTemplate majority();
 /// Edge extraction from a binary image (B centre 8, others −1, I = −1).
 CnnTemplate edges();

@@ -23,7 +23,8 @@ std::string commentLines(const std::vector<std::string>& provenance) {
   return text;
 }
 
-std::string header(const ScanProducts& scan, size_t width, size_t height, const std::vector<std::string>& provenance) {
+std::string header(const ScanProducts& scan, size_t width, size_t height,
+                   const std::vector<std::string>& provenance) {
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\n" + commentLines(provenance) +
                      "VERSION 0.7\n"
                      "FIELDS x y z normal_x normal_y normal_z surface_class label\n"
@@ -42,7 +43,8 @@ std::string header(const ScanProducts& scan, size_t width, size_t height, const 
   return text + "\nPOINTS " + std::to_string(width * height) + "\nDATA binary\n";
 }
 
-void appendPoint(std::string& bytes, const Eigen::Vector3f& p, const Eigen::Vector3f& n, SurfaceClass c, PlaneLabel label) {
+void appendPoint(std::string& bytes, const Eigen::Vector3f& p, const Eigen::Vector3f& n, SurfaceClass c,
+                 PlaneLabel label) {
   char raw[kPointBytes];
   std::memcpy(raw, p.data(), 12);
   std::memcpy(raw + 12, n.data(), 12);
@@ -54,19 +56,22 @@ void appendPoint(std::string& bytes, const Eigen::Vector3f& p, const Eigen::Vect
 }  // namespace
 
 std::string cloudPcd(const ScanProducts& scan, const std::vector<std::string>& provenance) {
-  require(scan.scan && scan.points && scan.normals && scan.classes && scan.planes, "cloudPcd: a product is missing");
+  require(scan.scan && scan.points && scan.normals && scan.classes && scan.planes,
+          "cloudPcd: a product is missing");
   const auto& points = scan.points->points;
   const auto& normals = scan.normals->normals;
   const auto& classes = scan.classes->classes;
   const auto& labels = scan.planes->labels;
-  require(normals.size() == points.size() && classes.size() == points.size() && labels.size() == points.size(),
-          "cloudPcd: products of different lattices");
+  require(
+      normals.size() == points.size() && classes.size() == points.size() && labels.size() == points.size(),
+      "cloudPcd: products of different lattices");
 
   if (!scan.scan->unordered()) {
     std::string bytes =
         header(scan, static_cast<size_t>(points.cols()), static_cast<size_t>(points.rows()), provenance);
     bytes.reserve(bytes.size() + points.size() * kPointBytes);
-    for (size_t i = 0; i < points.size(); ++i) appendPoint(bytes, points[i], normals[i], classes[i], labels[i]);
+    for (size_t i = 0; i < points.size(); ++i)
+      appendPoint(bytes, points[i], normals[i], classes[i], labels[i]);
     return bytes;
   }
 
@@ -80,7 +85,8 @@ std::string cloudPcd(const ScanProducts& scan, const std::vector<std::string>& p
     const bool seen = neuronOf[i] >= 0;
     const size_t neuron = seen ? static_cast<size_t>(neuronOf[i]) : 0;
     require(!seen || neuron < points.size(), "cloudPcd: a point's neuron lies outside the lattice");
-    appendPoint(bytes, (*scan.cloud)[i], seen ? normals[neuron] : Eigen::Vector3f(Eigen::Vector3f::Constant(kNaNf)),
+    appendPoint(bytes, (*scan.cloud)[i],
+                seen ? normals[neuron] : Eigen::Vector3f(Eigen::Vector3f::Constant(kNaNf)),
                 seen ? classes[neuron] : SurfaceClass::Unknown, (*scan.cloudLabels)[i]);
   }
   return bytes;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// Files that come to stand together or not at all. What is not committed is undone by the destructor.
 class FileSet {
- public:
+public:
   explicit FileSet(std::string directory) : directory_(std::move(directory)) {}
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
@@ -26,11 +26,13 @@ class FileSet {
 
   Status makeDirectory() {
     std::error_code error;
-    for (fs::path p = fs::path(directory_) / ""; p.has_relative_path() && !fs::exists(p, error); p = p.parent_path())
+    for (fs::path p = fs::path(directory_) / ""; p.has_relative_path() && !fs::exists(p, error);
+         p = p.parent_path())
       if (p.has_filename()) made_.push_back(p);
     fs::create_directories(directory_, error);
     if (std::error_code ignored; error || !fs::is_directory(directory_, ignored))
-      return Error{directory_, "", "cannot be made a directory: " + (error ? error.message() : "a file has this name"),
+      return Error{directory_, "",
+                   "cannot be made a directory: " + (error ? error.message() : "a file has this name"),
                    "give another output directory"};
     return success();
   }
@@ -58,8 +60,10 @@ class FileSet {
       const bool existed = entry.hasOld || fs::exists(fs::symlink_status(entry.target, error));
       fs::rename(entry.fresh, entry.target, error);
       if (error)
-        return Error{entry.target.string(), "", "cannot be replaced: " + error.message(), "remove what has this name or give another output directory"};
-      entry.placed = !existed || entry.hasOld;  // without a second name (some file systems) there is no way back
+        return Error{entry.target.string(), "", "cannot be replaced: " + error.message(),
+                     "remove what has this name or give another output directory"};
+      entry.placed =
+          !existed || entry.hasOld;  // without a second name (some file systems) there is no way back
       paths.push_back(entry.target.string());
     }
     committed_ = true;
@@ -69,7 +73,7 @@ class FileSet {
     return paths;
   }
 
- private:
+private:
   struct Entry {
     fs::path target, fresh, old;
     bool hasOld = false;  ///< `old` is the file that stood at `target`
@@ -87,7 +91,8 @@ class FileSet {
         fs::remove(entry.old, ignored);
       fs::remove(entry.fresh, ignored);
     }
-    for (const fs::path& p : made_) fs::remove(p, ignored);  // deepest first; stays if others have put something in
+    for (const fs::path& p : made_)
+      fs::remove(p, ignored);  // deepest first; stays if others have put something in
   }
 
   std::string directory_;
@@ -100,14 +105,16 @@ class FileSet {
 std::vector<std::string> provenanceOf(const nlohmann::ordered_json& run, size_t scan) {
   const auto& input = run["inputs"][scan];
   const auto text = [](const auto& json) { return json.dump(-1, ' ', true); };
-  return {"stratascope " + std::string(versionText()), "input " + text(input["name"]) + " sha256 " + text(input["sha256"]),
+  return {"stratascope " + std::string(versionText()),
+          "input " + text(input["name"]) + " sha256 " + text(input["sha256"]),
           "parameters " + text(run["parameters"])};
 }
 
 }  // namespace
 
 Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory) {
-  require(snapshot.heightMap && snapshot.intervalMap && !snapshot.scans.empty(), "exportResults: unfinished snapshot");
+  require(snapshot.heightMap && snapshot.intervalMap && !snapshot.scans.empty(),
+          "exportResults: unfinished snapshot");
   const Expected<std::string> run = runJson(snapshot);
   if (!run) return run.error();
   const auto runDocument = nlohmann::ordered_json::parse(*run);
@@ -116,7 +123,8 @@ Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const
   if (Status made = files.makeDirectory(); !made) return made.error();
   for (size_t i = 0; i < snapshot.scans.size(); ++i) {
     const std::string name = i == 0 ? "cloud.pcd" : "cloud_" + std::to_string(i) + ".pcd";
-    if (Status s = files.stage(name, cloudPcd(snapshot.scans[i], provenanceOf(runDocument, i))); !s) return s.error();
+    if (Status s = files.stage(name, cloudPcd(snapshot.scans[i], provenanceOf(runDocument, i))); !s)
+      return s.error();
   }
   if (Status s = files.stage("planes.json", planesJson(snapshot)); !s) return s.error();
   if (Status s = files.stage("edges.json", edgesJson(snapshot)); !s) return s.error();

@@ -11,16 +11,18 @@
 
 namespace stratascope {
 
-/// The files of the command line's contract, as bytes. Each depends on the snapshot alone, so the window and the command line
-/// write the same. Numbers in text read back to the same bits, C locale. JSON holds no NaN: what is unknown is null.
+/// The files of the command line's contract, as bytes. Each depends on the snapshot alone, so the window and
+/// the command line write the same. Numbers in text read back to the same bits, C locale. JSON holds no NaN:
+/// what is unknown is null.
 
-/// PCD 0.7, binary, map frame: x y z normal_x normal_y normal_z (F 4), surface_class (U 1), label (U 4), 29 bytes a point.
-/// WIDTH = beams, HEIGHT = lines; an unordered scan has HEIGHT 1 and every point of its file, in the file's order.
-/// VIEWPOINT is the sensor's pose in the map. `provenance`: lines that go into the header as comments.
+/// PCD 0.7, binary, map frame: x y z normal_x normal_y normal_z (F 4), surface_class (U 1), label (U 4), 29
+/// bytes a point. WIDTH = beams, HEIGHT = lines; an unordered scan has HEIGHT 1 and every point of its file,
+/// in the file's order. VIEWPOINT is the sensor's pose in the map. `provenance`: lines that go into the
+/// header as comments.
 std::string cloudPcd(const ScanProducts& scan, const std::vector<std::string>& provenance = {});
 
-/// A list, one plane a line, scan by scan: label, class (the word), surface_class (the number), role (if it has one), normal,
-/// offset, sigma, rms, points, centroid, area, hull, scan (index of its scan).
+/// A list, one plane a line, scan by scan: label, class (the word), surface_class (the number), role (if it
+/// has one), normal, offset, sigma, rms, points, centroid, area, hull, scan (index of its scan).
 std::string planesJson(const Snapshot& snapshot);
 /// A list, one edge a line, scan by scan: kind, vertical, from, to, points, sigma, scan.
 std::string edgesJson(const Snapshot& snapshot);
@@ -30,9 +32,11 @@ std::string intervalsCsv(const Snapshot& snapshot);
 
 /// Where everything came from:
 ///   program, version
-///   inputs       list of {name, path, bytes, sha256, format, lattice ("native"|"recovered"|"projected"), lines, beams,
-///                missing, points, pose [x, y, z, roll, pitch, yaw] as --pose takes it, sensor [x, y, z], fields, notes};
-///                bytes and sha256 are null for a scan that is no file: an empty path, or one with "://"
+///   inputs       list of {name, path, bytes, sha256, format, lattice ("native"|"recovered"|"projected"),
+///   lines, beams,
+///                missing, points, pose [x, y, z, roll, pitch, yaw] as --pose takes it, sensor [x, y, z],
+///                fields, notes}; bytes and sha256 are null for a scan that is no file: an empty path, or one
+///                with "://"
 ///   parameters   every one, as --params reads them
 ///   points       laid down in the map
 ///   counts       {scans, planes, edges, cells (occupied), records}
@@ -42,8 +46,9 @@ std::string intervalsCsv(const Snapshot& snapshot);
 /// Errors: an input file that can no longer be read.
 Expected<std::string> runJson(const Snapshot& snapshot);
 
-/// Writes all of them into `directory` (made if missing), all or nothing: on an error the directory is as it was.
-/// One scan: cloud.pcd. Several: cloud.pcd for the first, cloud_1.pcd … for the others. Returns the paths written.
+/// Writes all of them into `directory` (made if missing), all or nothing: on an error the directory is as it
+/// was. One scan: cloud.pcd. Several: cloud.pcd for the first, cloud_1.pcd … for the others. Returns the
+/// paths written.
 Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory);
 
 /// The program's version, "0.1.0".

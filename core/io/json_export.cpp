@@ -12,30 +12,45 @@ using Json = nlohmann::ordered_json;
 
 const char* className(SurfaceClass c) {
   switch (c) {
-    case SurfaceClass::Unknown: return "unknown";
-    case SurfaceClass::Facing: return "facing";
-    case SurfaceClass::Side: return "side";
-    case SurfaceClass::Horizontal: return "horizontal";
-    case SurfaceClass::Oblique: return "oblique";
-    case SurfaceClass::ConvexEdge: return "convex edge";
-    case SurfaceClass::ConcaveEdge: return "concave edge";
-    case SurfaceClass::JumpEdge: return "jump edge";
+    case SurfaceClass::Unknown:
+      return "unknown";
+    case SurfaceClass::Facing:
+      return "facing";
+    case SurfaceClass::Side:
+      return "side";
+    case SurfaceClass::Horizontal:
+      return "horizontal";
+    case SurfaceClass::Oblique:
+      return "oblique";
+    case SurfaceClass::ConvexEdge:
+      return "convex edge";
+    case SurfaceClass::ConcaveEdge:
+      return "concave edge";
+    case SurfaceClass::JumpEdge:
+      return "jump edge";
   }
   return "unknown";
 }
 
 const char* kindName(EdgeKind kind) {
   switch (kind) {
-    case EdgeKind::Convex: return "convex";
-    case EdgeKind::Concave: return "concave";
-    case EdgeKind::Jump: return "jump";
+    case EdgeKind::Convex:
+      return "convex";
+    case EdgeKind::Concave:
+      return "concave";
+    case EdgeKind::Jump:
+      return "jump";
   }
   return "";
 }
 
 /// JSON has no NaN and no infinity.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json vector(const Eigen::Vector3d& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+Json vector(const Eigen::Vector3d& v) {
+  return Json::array({number(v.x()), number(v.y()), number(v.z())});
+}
 
 /// A list with one item a line, which stays readable with hulls of many corners.
 std::string listText(const std::vector<Json>& items) {

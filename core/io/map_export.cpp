@@ -30,7 +30,8 @@ std::string intervalsCsv(const Snapshot& snapshot) {
   require(snapshot.intervalMap != nullptr, "intervalsCsv: no interval map");
   const IntervalMap& map = *snapshot.intervalMap;
   const ObjectMap* objects = snapshot.objectMap.get();
-  require(!objects || objects->first.size() == map.records.size() + 1, "intervalsCsv: objects of another map");
+  require(!objects || objects->first.size() == map.records.size() + 1,
+          "intervalsCsv: objects of another map");
   std::string text = "k,l,x,y,min,max,points,objects\n";
   for (size_t o = 0; o < map.frame.size(); ++o)
     for (std::uint32_t r = map.first[o]; r < map.first[o + 1]; ++r) {

@@ -8,11 +8,13 @@
 
 namespace stratascope {
 
-/// Appends a number in the shortest form that reads back to the same bits; never the locale's. −0 is written as 0.
+/// Appends a number in the shortest form that reads back to the same bits; never the locale's. −0 is written
+/// as 0.
 template <class Number>
 void appendNumber(std::string& text, Number value) {
   std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == Number{} ? Number{} : value);
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == Number{} ? Number{} : value);
   text.append(buffer.data(), end.ptr);
 }
 

@@ -19,14 +19,18 @@ using Json = nlohmann::ordered_json;
 
 const char* latticeName(LatticeOrigin origin) {
   switch (origin) {
-    case LatticeOrigin::Native: return "native";
-    case LatticeOrigin::Recovered: return "recovered";
-    case LatticeOrigin::Projected: return "projected";
+    case LatticeOrigin::Native:
+      return "native";
+    case LatticeOrigin::Recovered:
+      return "recovered";
+    case LatticeOrigin::Projected:
+      return "projected";
   }
   return "";
 }
 
-/// x, y, z, roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), in metres and degrees, as --pose takes them.
+/// x, y, z, roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), in metres and degrees, as --pose takes
+/// them.
 Json poseNumbers(const Eigen::Isometry3d& pose) {
   const Eigen::Matrix3d r = pose.linear();
   const double roll = std::atan2(r(2, 1), r(2, 2));
@@ -34,11 +38,14 @@ Json poseNumbers(const Eigen::Isometry3d& pose) {
   const double yaw = std::atan2(r(1, 0), r(0, 0));
   const Eigen::Vector3d t = pose.translation();
   Json list = Json::array();
-  for (const double v : {t.x(), t.y(), t.z(), radToDeg(roll), radToDeg(pitch), radToDeg(yaw)}) list.push_back(v + 0.0);
+  for (const double v : {t.x(), t.y(), t.z(), radToDeg(roll), radToDeg(pitch), radToDeg(yaw)})
+    list.push_back(v + 0.0);
   return list;
 }
 
-bool isFile(const Scan& scan) { return !scan.path.empty() && scan.path.find("://") == std::string::npos; }
+bool isFile(const Scan& scan) {
+  return !scan.path.empty() && scan.path.find("://") == std::string::npos;
+}
 
 Expected<Json> inputEntry(const ScanProducts& products) {
   const Scan& scan = *products.scan;
@@ -58,10 +65,11 @@ Expected<Json> inputEntry(const ScanProducts& products) {
   entry["lines"] = scan.lattice->lines();
   entry["beams"] = scan.lattice->beams();
   entry["missing"] = scan.lattice->missingCount();
-  entry["points"] = scan.unordered()
-                        ? static_cast<size_t>(std::count_if(scan.cloud.begin(), scan.cloud.end(),
-                                                            [](const Eigen::Vector3f& p) { return p.allFinite(); }))
-                        : scan.lattice->points().size() - scan.lattice->missingCount();
+  entry["points"] =
+      scan.unordered()
+          ? static_cast<size_t>(std::count_if(scan.cloud.begin(), scan.cloud.end(),
+                                              [](const Eigen::Vector3f& p) { return p.allFinite(); }))
+          : scan.lattice->points().size() - scan.lattice->missingCount();
   entry["pose"] = poseNumbers(scan.pose.map_T_scan);
   const Eigen::Vector3d sensor = scan.pose.map_T_sensor().translation();
   entry["sensor"] = {sensor.x(), sensor.y(), sensor.z()};

@@ -22,9 +22,10 @@ struct ReadOptions {
 /// the file's size. Locale-independent. A cloud without a lattice comes back Projected, with a note.
 Expected<Scan> readScan(const std::string& path, const ReadOptions& options = {});
 
-/// Writes a scan's points in the scan frame (lattice and sensor pose kept where the format can hold them) by the
-/// extension: .pcd (binary), .xyz/.txt (x y z a line, missing returns left out, no lattice).
-/// The file is replaced only when the new one is complete.
+/// Writes a scan's points in the map frame (bit for bit as they stand where map_T_scan is the identity), so that the file
+/// read back lies where the scan lay. By the extension: .pcd (binary; lattice, or the unordered cloud in its order, and
+/// map_T_sensor as VIEWPOINT), .xyz/.txt (x y z a line), .csv (x,y,z a line); text leaves missing returns out and has no
+/// lattice. The file is replaced only when the new one is complete.
 Status writeScan(const Scan& scan, const std::string& path);
 
 /// "PCD (*.pcd)", … for file dialogs and help.

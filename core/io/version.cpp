@@ -4,6 +4,8 @@
 
 namespace stratascope {
 
-const char* versionText() { return STRATASCOPE_VERSION; }
+const char* versionText() {
+  return STRATASCOPE_VERSION;
+}
 
 }  // namespace stratascope

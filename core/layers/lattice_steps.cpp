@@ -53,23 +53,29 @@ LatticeSteps measureLatticeSteps(const PointImage& image, const Execution& execu
   steps.tiles_ = Grid<LatticeSteps::Step>((lines + kTile - 1) / kTile, (beams + kTile - 1) / kTile);
   const Eigen::Vector3f sensor = image.sensor.cast<float>();
   auto angle = [&](GridIndex a, GridIndex b) {
-    const Eigen::Vector3f u = (image.points(a) - sensor) / image.range(a), v = (image.points(b) - sensor) / image.range(b);
+    const Eigen::Vector3f u = (image.points(a) - sensor) / image.range(a),
+                          v = (image.points(b) - sensor) / image.range(b);
     return 2 * std::asin(std::min(1.0f, 0.5f * (u - v).norm()));
   };
-  parallelRows(steps.tiles_.rows(), execution, [&](int begin, int end) {
-    std::vector<float> down, across;
-    for (int ti = begin; ti < end; ++ti)
-      for (int tj = 0; tj < steps.tiles_.cols(); ++tj) {
-        down.clear(), across.clear();
-        for (int i = ti * kTile; i < std::min(lines, (ti + 1) * kTile); i += 2)
-          for (int j = tj * kTile; j < std::min(beams, (tj + 1) * kTile); j += 2) {
-            if (std::isnan(image.range({i, j}))) continue;
-            if (i + 1 < lines && !std::isnan(image.range({i + 1, j}))) down.push_back(angle({i, j}, {i + 1, j}));
-            if (j + 1 < beams && !std::isnan(image.range({i, j + 1}))) across.push_back(angle({i, j}, {i, j + 1}));
+  parallelRows(
+      steps.tiles_.rows(), execution,
+      [&](int begin, int end) {
+        std::vector<float> down, across;
+        for (int ti = begin; ti < end; ++ti)
+          for (int tj = 0; tj < steps.tiles_.cols(); ++tj) {
+            down.clear(), across.clear();
+            for (int i = ti * kTile; i < std::min(lines, (ti + 1) * kTile); i += 2)
+              for (int j = tj * kTile; j < std::min(beams, (tj + 1) * kTile); j += 2) {
+                if (std::isnan(image.range({i, j}))) continue;
+                if (i + 1 < lines && !std::isnan(image.range({i + 1, j})))
+                  down.push_back(angle({i, j}, {i + 1, j}));
+                if (j + 1 < beams && !std::isnan(image.range({i, j + 1})))
+                  across.push_back(angle({i, j}, {i, j + 1}));
+              }
+            steps.tiles_({ti, tj}) = {medianOrNegative(down), medianOrNegative(across)};
           }
-        steps.tiles_({ti, tj}) = {medianOrNegative(down), medianOrNegative(across)};
-      }
-  }, 1);
+      },
+      1);
   fillGaps(steps.tiles_, &LatticeSteps::Step::line, {1, 0});
   fillGaps(steps.tiles_, &LatticeSteps::Step::beam, {0, 1});
   return steps;

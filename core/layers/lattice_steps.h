@@ -8,10 +8,11 @@
 
 namespace stratascope {
 
-/// Angle between neighbouring beams of the lattice as the sensor sees them, by place: lines converge at the poles of the
-/// head's axis, columns at those of a spherical projection. Medians over tiles of kTile × kTile neurons; radians.
+/// Angle between neighbouring beams of the lattice as the sensor sees them, by place: lines converge at the
+/// poles of the head's axis, columns at those of a spherical projection. Medians over tiles of kTile × kTile
+/// neurons; radians.
 class LatticeSteps {
- public:
+public:
   static constexpr int kTile = 16;
   /// Angle to the neuron of the next line, and of the next beam.
   struct Step {
@@ -21,11 +22,12 @@ class LatticeSteps {
 
   friend LatticeSteps measureLatticeSteps(const PointImage&, const Execution&);
 
- private:
+private:
   Grid<Step> tiles_;
 };
 
-/// Tiles without two neighbouring returns take the nearest tile of their column (for lines) or row (for beams), then the median of all.
+/// Tiles without two neighbouring returns take the nearest tile of their column (for lines) or row (for
+/// beams), then the median of all.
 LatticeSteps measureLatticeSteps(const PointImage& points, const Execution& execution = {});
 
 }  // namespace stratascope

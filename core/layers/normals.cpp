@@ -32,8 +32,10 @@ NormalState closestNormal(const PointImage& image, GridIndex at) {
   // Next neighbour along beams and lines; the one before where the lattice ends or nothing came back.
   auto difference = [&](GridIndex ahead, GridIndex behind) -> std::optional<Eigen::Vector3d> {
     const Eigen::Vector3d p = image.points(at).cast<double>();
-    if (image.range.contains(ahead) && !std::isnan(image.range(ahead))) return image.points(ahead).cast<double>() - p;
-    if (image.range.contains(behind) && !std::isnan(image.range(behind))) return p - image.points(behind).cast<double>();
+    if (image.range.contains(ahead) && !std::isnan(image.range(ahead)))
+      return image.points(ahead).cast<double>() - p;
+    if (image.range.contains(behind) && !std::isnan(image.range(behind)))
+      return p - image.points(behind).cast<double>();
     return std::nullopt;
   };
   const auto p1 = difference({at.row, at.col + 1}, {at.row, at.col - 1});
@@ -58,7 +60,8 @@ NormalState adaptiveNormal(const PointImage& image, const ShellNeighbourhood& sh
     difference[d] = image.points(found).cast<double>() - p;
     reach = std::max(reach, difference[d]->norm());
   }
-  // Consecutive directions a quarter turn apart, so that both halves of a product have a good angle between them.
+  // Consecutive directions a quarter turn apart, so that both halves of a product have a good angle between
+  // them.
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (size_t d = 0; d < 8; ++d)
     if (difference[d] && difference[(d + 2) % 8]) sum += difference[d]->cross(*difference[(d + 2) % 8]);
@@ -68,12 +71,14 @@ NormalState adaptiveNormal(const PointImage& image, const ShellNeighbourhood& sh
   return state;
 }
 
-// ---- regression -------------------------------------------------------------------------------------------------
+// ---- regression
+// -------------------------------------------------------------------------------------------------
 
 constexpr int kMostHalf = 40;   // largest half-size of a window in neurons; bounds the lines a band must know
 constexpr int kBandLines = 64;  // lines that share one summed-area table
 
-// A window relative to the largest one: scale of its half-sizes, and where it stands (in half-sizes) against the neuron.
+// A window relative to the largest one: scale of its half-sizes, and where it stands (in half-sizes) against
+// the neuron.
 struct Candidate {
   float lineScale, beamScale, lineShift, beamShift;
 };
@@ -82,25 +87,78 @@ struct Level {
   int count;
 };
 
-// From the largest lever arm down. Within a level the best residual wins; the first level that agrees is taken.
+// From the largest lever arm down. Within a level the best residual wins; the first level that agrees is
+// taken.
 constexpr float kAside = 0.9f;  // an off-centre window still holds its neuron a little inside
-constexpr std::array<Level, 9> kLevels = {{
+constexpr std::array<Level, 12> kLevels = {{
     {{{{1, 1, 0, 0}}}, 1},
     {{{{1, 1, kAside, 0}, {1, 1, -kAside, 0}, {1, 1, 0, kAside}, {1, 1, 0, -kAside}}}, 4},
     {{{{.6f, .6f, 0, 0}}}, 1},
-    {{{{1, 1, kAside, kAside}, {1, 1, -kAside, kAside}, {1, 1, kAside, -kAside}, {1, 1, -kAside, -kAside}}}, 4},
+    {{{{1, 1, kAside, kAside}, {1, 1, -kAside, kAside}, {1, 1, kAside, -kAside}, {1, 1, -kAside, -kAside}}},
+     4},
     {{{{.6f, .6f, kAside, 0}, {.6f, .6f, -kAside, 0}, {.6f, .6f, 0, kAside}, {.6f, .6f, 0, -kAside}}}, 4},
-    {{{{1, .35f, 0, 0}, {.35f, 1, 0, 0}, {1, .35f, 0, kAside}, {1, .35f, 0, -kAside}, {.35f, 1, kAside, 0}, {.35f, 1, -kAside, 0}}}, 6},
-    {{{{.6f, .6f, kAside, kAside}, {.6f, .6f, -kAside, kAside}, {.6f, .6f, kAside, -kAside}, {.6f, .6f, -kAside, -kAside}, {.35f, .35f, 0, 0}}}, 5},
-    {{{{1, .35f, kAside, kAside}, {1, .35f, -kAside, kAside}, {1, .35f, kAside, -kAside}, {1, .35f, -kAside, -kAside},
-       {.35f, 1, kAside, kAside}, {.35f, 1, -kAside, kAside}, {.35f, 1, kAside, -kAside}, {.35f, 1, -kAside, -kAside}}}, 8},
-    {{{{.35f, .35f, kAside, 0}, {.35f, .35f, -kAside, 0}, {.35f, .35f, 0, kAside}, {.35f, .35f, 0, -kAside},
-       {.35f, .35f, kAside, kAside}, {.35f, .35f, -kAside, kAside}, {.35f, .35f, kAside, -kAside}, {.35f, .35f, -kAside, -kAside}}}, 8},
+    {{{{1, .35f, 0, 0},
+       {.35f, 1, 0, 0},
+       {1, .35f, 0, kAside},
+       {1, .35f, 0, -kAside},
+       {.35f, 1, kAside, 0},
+       {.35f, 1, -kAside, 0}}},
+     6},
+    {{{{.6f, .6f, kAside, kAside},
+       {.6f, .6f, -kAside, kAside},
+       {.6f, .6f, kAside, -kAside},
+       {.6f, .6f, -kAside, -kAside},
+       {.35f, .35f, 0, 0}}},
+     5},
+    {{{{1, .35f, kAside, kAside},
+       {1, .35f, -kAside, kAside},
+       {1, .35f, kAside, -kAside},
+       {1, .35f, -kAside, -kAside},
+       {.35f, 1, kAside, kAside},
+       {.35f, 1, -kAside, kAside},
+       {.35f, 1, kAside, -kAside},
+       {.35f, 1, -kAside, -kAside}}},
+     8},
+    {{{{1, .18f, 0, 0},
+       {.18f, 1, 0, 0},
+       {1, .18f, 0, kAside},
+       {1, .18f, 0, -kAside},
+       {.18f, 1, kAside, 0},
+       {.18f, 1, -kAside, 0}}},
+     6},
+    {{{{.35f, .35f, kAside, 0},
+       {.35f, .35f, -kAside, 0},
+       {.35f, .35f, 0, kAside},
+       {.35f, .35f, 0, -kAside},
+       {.35f, .35f, kAside, kAside},
+       {.35f, .35f, -kAside, kAside},
+       {.35f, .35f, kAside, -kAside},
+       {.35f, .35f, -kAside, -kAside}}},
+     8},
+    {{{{1, .18f, kAside, kAside},
+       {1, .18f, -kAside, kAside},
+       {1, .18f, kAside, -kAside},
+       {1, .18f, -kAside, -kAside},
+       {.18f, 1, kAside, kAside},
+       {.18f, 1, -kAside, kAside},
+       {.18f, 1, kAside, -kAside},
+       {.18f, 1, -kAside, -kAside}}},
+     8},
+    {{{{1, .1f, 0, 0},
+       {.1f, 1, 0, 0},
+       {1, .1f, 0, kAside},
+       {1, .1f, 0, -kAside},
+       {.1f, 1, kAside, 0},
+       {.1f, 1, -kAside, 0},
+       {.6f, .18f, 0, 0},
+       {.18f, .6f, 0, 0}}},
+     8},
 }};
 
 class RegressionRule {
- public:
-  RegressionRule(const PointImage& image, const NormalParams& params, const RangeNoise& noise, const LatticeSteps& steps)
+public:
+  RegressionRule(const PointImage& image, const NormalParams& params, const RangeNoise& noise,
+                 const LatticeSteps& steps)
       : image_(image), params_(params), noise_(noise), steps_(steps) {}
 
   NormalState operator()(GridIndex at, const WindowSums& sums) const {
@@ -109,7 +167,8 @@ class RegressionRule {
     if (!(r == r)) return state;
     const Eigen::Vector3d q = image_.points(at).cast<double>() - image_.sensor;
     const LatticeSteps::Step step = steps_.at(at);
-    const double halfLines = largestHalf(at, {1, 0}, r * step.line), halfBeams = largestHalf(at, {0, 1}, r * step.beam);
+    const double halfLines = largestHalf(at, {1, 0}, r * step.line),
+                 halfBeams = largestHalf(at, {0, 1}, r * step.beam);
     if (halfLines < 0.5 || halfBeams < 0.5) return state;  // neighbours lie beyond ε1
     const double holeLines = params_.epsilon2 / params_.epsilon1 * halfLines;
     const double holeBeams = params_.epsilon2 / params_.epsilon1 * halfBeams;
@@ -122,21 +181,23 @@ class RegressionRule {
         if (!fit || fit->disagreement >= best) continue;
         best = fit->disagreement;
         state.normal = fit->plane.normal().cast<float>();
-        state.reach = static_cast<float>(params_.epsilon1 * std::max(candidate.lineScale, candidate.beamScale));
+        state.reach =
+            static_cast<float>(params_.epsilon1 * std::max(candidate.lineScale, candidate.beamScale));
       }
       if (best < 1) return state;
     }
     return state;
   }
 
- private:
+private:
   struct Fit {
     RangePlane plane;
     double disagreement;  // residual over the largest the noise explains; below 1 = agrees
   };
 
-  // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, then shortened if the surface
-  // is oblique (the nearer side decides, the other may lie across a jump). Continuous.
+  // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, then
+  // shortened if the surface is oblique (the nearer side decides, the other may lie across a jump).
+  // Continuous.
   double largestHalf(GridIndex at, GridIndex direction, double spacing) const {
     double half = std::min<double>(kMostHalf, params_.epsilon1 / std::max(spacing, 1e-9));
     const int h = static_cast<int>(half);
@@ -153,18 +214,21 @@ class RegressionRule {
     return half;
   }
 
-  static LatticeWindow clipped(const PointImage& image, const WindowSums& sums, double top, double bottom, double left, double right) {
+  static LatticeWindow clipped(const PointImage& image, const WindowSums& sums, double top, double bottom,
+                               double left, double right) {
     return {std::max(sums.firstLine(), static_cast<int>(std::lround(top))),
             std::min(sums.endLine() - 1, static_cast<int>(std::lround(bottom))),
             std::max(0, static_cast<int>(std::lround(left))),
             std::min(image.points.cols() - 1, static_cast<int>(std::lround(right)))};
   }
 
-  std::optional<Fit> tryWindow(GridIndex at, const Eigen::Vector3d& q, double r, const Candidate& c, double halfLines,
-                               double halfBeams, double holeLines, double holeBeams, const WindowSums& sums) const {
+  std::optional<Fit> tryWindow(GridIndex at, const Eigen::Vector3d& q, double r, const Candidate& c,
+                               double halfLines, double halfBeams, double holeLines, double holeBeams,
+                               const WindowSums& sums) const {
     const double hl = c.lineScale * halfLines, hb = c.beamScale * halfBeams;
     // Reach of the window from the neuron, as a share of ε1; within ε2 there is no neighbour to take.
-    const double reach = std::max(c.lineScale * (1 + std::abs(c.lineShift)), c.beamScale * (1 + std::abs(c.beamShift)));
+    const double reach =
+        std::max(c.lineScale * (1 + std::abs(c.lineShift)), c.beamScale * (1 + std::abs(c.beamShift)));
     if (reach * params_.epsilon1 <= params_.epsilon2) return std::nullopt;
     const double line = at.row + c.lineShift * hl, beam = at.col + c.beamShift * hb;
     const LatticeWindow window = clipped(image_, sums, line - hl, line + hl, beam - hb, beam + hb);
@@ -186,7 +250,8 @@ class RegressionRule {
     Fit fit{fitRangePlane(s.fit), 0};
     if (!fit.plane.valid) return std::nullopt;
 
-    // What noise and the roughness of surfaces explain; the latter grows along the beam as the surface turns away.
+    // What noise and the roughness of surfaces explain; the latter grows along the beam as the surface turns
+    // away.
     const double sigma = noise_.sigmaAt(r), cosine = std::max(0.05, fit.plane.cosIncidence(q));
     const double rough = RangeNoise::kRoughness / cosine;
     const double variance = sigma * sigma + rough * rough;
@@ -241,12 +306,15 @@ NormalImage computeNormals(const PointImage& image, const NormalParams& params, 
       const RegressionRule rule(image, params, noise, steps);
       // Off-centre windows reach twice a half-size, so a band needs that many lines on both sides.
       constexpr int kHalo = 2 * kMostHalf;
-      parallelRows(lines, execution, [&](int begin, int end) {
-        thread_local WindowSums sums;
-        sums.build(image, noise, std::max(0, begin - kHalo), std::min(lines, end + kHalo));
-        for (int i = begin; i < end; ++i)
-          for (int j = 0; j < beams; ++j) put({i, j}, rule({i, j}, sums));
-      }, kBandLines);
+      parallelRows(
+          lines, execution,
+          [&](int begin, int end) {
+            thread_local WindowSums sums;
+            sums.build(image, noise, std::max(0, begin - kHalo), std::min(lines, end + kHalo));
+            for (int i = begin; i < end; ++i)
+              for (int j = 0; j < beams; ++j) put({i, j}, rule({i, j}, sums));
+          },
+          kBandLines);
       break;
     }
   }

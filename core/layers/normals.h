@@ -8,13 +8,17 @@
 
 namespace stratascope {
 
-/// Layer 2 of the network: a unit normal for every neuron, turned toward the sensor, map frame; NaN where the neighbourhood
-/// gives none. All estimators take neighbours by Eq. (6), ε1 ≥ distance ≥ ε2, but for Closest, which ignores it:
+/// Layer 2 of the network: a unit normal for every neuron, turned toward the sensor, map frame; NaN where the
+/// neighbourhood gives none. All estimators take neighbours by Eq. (6), ε1 ≥ distance ≥ ε2, but for Closest,
+/// which ignores it:
 /// - Closest: cross product of the adjacent lattice neighbours (the paper's Fig. 12a)
-/// - Adaptive: the first neighbour inside the shell along each of eight lattice directions; mean of the cross products of
+/// - Adaptive: the first neighbour inside the shell along each of eight lattice directions; mean of the cross
+/// products of
 ///   consecutive directions
-/// - Regression: the paper's regression (Eq. 9) in the sensor's frame over the largest window inside the shell whose
+/// - Regression: the paper's regression (Eq. 9) in the sensor's frame over the largest window inside the
+/// shell whose
 ///   residual agrees with the scan's noise; the window may stand off-centre, so it never lies across an edge
-NormalImage computeNormals(const PointImage& points, const NormalParams& params, const Execution& execution = {});
+NormalImage computeNormals(const PointImage& points, const NormalParams& params,
+                           const Execution& execution = {});
 
 }  // namespace stratascope

@@ -38,7 +38,8 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
   const Eigen::Vector3d forward = map_T_sensor.linear().col(0);
   const Eigen::Vector3d horizontal(forward.x(), forward.y(), 0);
   // A sensor that looks straight up or down has no horizontal viewing direction; the map's x axis serves.
-  image.viewing = horizontal.norm() > 1e-6 ? Eigen::Vector3d(horizontal.normalized()) : Eigen::Vector3d::UnitX();
+  image.viewing =
+      horizontal.norm() > 1e-6 ? Eigen::Vector3d(horizontal.normalized()) : Eigen::Vector3d::UnitX();
   size_t kept = 0;
   for (float r : image.range.values()) kept += std::isnan(r) ? 0 : 1;
   image.ownBody = image.range.size() - scan.lattice->missingCount() - kept;

@@ -9,8 +9,9 @@
 
 namespace stratascope {
 
-/// Layers 0 and 1 of the network: range, then the point in the map frame. A return nearer than the scan's own-body range or
-/// RangeParams::minRange, or beyond maxRange, becomes missing (counted in PointImage::ownBody).
+/// Layers 0 and 1 of the network: range, then the point in the map frame. A return nearer than the scan's
+/// own-body range or RangeParams::minRange, or beyond maxRange, becomes missing (counted in
+/// PointImage::ownBody).
 PointImage computePoints(const Scan& scan, const RangeParams& params, const Execution& execution = {});
 
 }  // namespace stratascope

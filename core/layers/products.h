@@ -13,15 +13,17 @@
 
 namespace stratascope {
 
-/// The states of the network's layers. All grids are lines × beams of the scan; all points and normals in the map frame.
+/// The states of the network's layers. All grids are lines × beams of the scan; all points and normals in the
+/// map frame.
 
 /// Layers 0 and 1.
 struct PointImage {
-  Grid<float> range;              ///< metres from the sensor; NaN = no return or outside the range limits
-  Grid<Eigen::Vector3f> points;   ///< map frame; NaN where range is NaN
-  Eigen::Vector3d sensor;         ///< where the sensor stood, map frame
-  Eigen::Vector3d viewing;        ///< unit, horizontal: the sensor's forward direction; classes are measured against it
-  size_t ownBody = 0;             ///< returns taken out as the robot itself or by the range limits
+  Grid<float> range;             ///< metres from the sensor; NaN = no return or outside the range limits
+  Grid<Eigen::Vector3f> points;  ///< map frame; NaN where range is NaN
+  Eigen::Vector3d sensor;        ///< where the sensor stood, map frame
+  Eigen::Vector3d
+      viewing;         ///< unit, horizontal: the sensor's forward direction; classes are measured against it
+  size_t ownBody = 0;  ///< returns taken out as the robot itself or by the range limits
 };
 
 /// Layer 2.
@@ -29,13 +31,14 @@ struct NormalImage {
   Grid<Eigen::Vector3f> normals;  ///< unit, toward the sensor; NaN = no usable neighbours
   /// Reach of the neighbourhood each normal came from, metres; NaN where there is no normal.
   Grid<float> reach;
-  RangeNoise noise;       ///< the scan's own range noise, as it was estimated
+  RangeNoise noise;  ///< the scan's own range noise, as it was estimated
 };
 
 /// Layer 3.
 struct ClassImage {
   Grid<SurfaceClass> classes;
-  double wallDirection = 0;  ///< yaw of the "facing" axis in the map frame, radians: the sensor's, or the building's
+  double wallDirection =
+      0;  ///< yaw of the "facing" axis in the map frame, radians: the sensor's, or the building's
 };
 
 /// A plane of the segmentation: normal·p = offset, map frame, normal toward the sensor.
@@ -48,15 +51,15 @@ struct Plane {
   double rms = 0;    ///< unbiased, sqrt(Σd²/(N−3)), metres
   size_t points = 0;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  double area = 0;                     ///< of the surface its neurons cover, m²
-  std::vector<Eigen::Vector3d> hull;   ///< convex outline in the plane, counter-clockwise seen from the sensor
-  std::string role;                    ///< "floor", "ceiling", "raised", or "" for planes that are not horizontal
+  double area = 0;                    ///< of the surface its neurons cover, m²
+  std::vector<Eigen::Vector3d> hull;  ///< convex outline in the plane, counter-clockwise seen from the sensor
+  std::string role;  ///< "floor", "ceiling", "raised", or "" for planes that are not horizontal
 };
 
 /// Layer 4, and what is gathered from it.
 struct PlaneImage {
-  Grid<PlaneLabel> labels;    ///< 0 = of no plane
-  std::vector<Plane> planes;  ///< by descending number of points, then label
+  Grid<PlaneLabel> labels;         ///< 0 = of no plane
+  std::vector<Plane> planes;       ///< by descending number of points, then label
   std::vector<std::string> notes;  ///< e.g. a plane the paper's regression refused, and why
 };
 

@@ -24,15 +24,19 @@ double medianOf(std::vector<float>& values) {
 }  // namespace
 
 // Two bins an octave from 0.25 m.
-int RangeNoise::binOf(double r) { return std::clamp(static_cast<int>(2 * std::log2(std::max(r, 1e-3) / 0.25)), 0, kBins - 1); }
+int RangeNoise::binOf(double r) {
+  return std::clamp(static_cast<int>(2 * std::log2(std::max(r, 1e-3) / 0.25)), 0, kBins - 1);
+}
 
-double RangeNoise::sigmaAt(double r) const { return sigma_[static_cast<size_t>(binOf(r))]; }
+double RangeNoise::sigmaAt(double r) const {
+  return sigma_[static_cast<size_t>(binOf(r))];
+}
 
 RangeNoise estimateRangeNoise(const PointImage& image, const Execution& execution) {
   throwIfStopped(execution);
   const Grid<float>& range = image.range;
-  // |second difference| of the range along the beams, corrected for the curve of a plane seen in polar coordinates, by
-  // taking it in the inverse range: δ(1/r) = −δr / r².
+  // |second difference| of the range along the beams, corrected for the curve of a plane seen in polar
+  // coordinates, by taking it in the inverse range: δ(1/r) = −δr / r².
   std::array<std::vector<float>, RangeNoise::kBins> byBin;
   std::vector<float> all;
   const int stride = std::max(1, static_cast<int>(range.size() / 400000));  // enough for a median
@@ -61,8 +65,14 @@ RangeNoise estimateRangeNoise(const PointImage& image, const Execution& executio
     double value = fallback;
     for (int step = 0; step < RangeNoise::kBins; ++step) {
       const int lower = k - step, upper = k + step;
-      if (lower >= 0 && noise.sigma_[static_cast<size_t>(lower)] >= 0) { value = noise.sigma_[static_cast<size_t>(lower)]; break; }
-      if (upper < RangeNoise::kBins && noise.sigma_[static_cast<size_t>(upper)] >= 0) { value = noise.sigma_[static_cast<size_t>(upper)]; break; }
+      if (lower >= 0 && noise.sigma_[static_cast<size_t>(lower)] >= 0) {
+        value = noise.sigma_[static_cast<size_t>(lower)];
+        break;
+      }
+      if (upper < RangeNoise::kBins && noise.sigma_[static_cast<size_t>(upper)] >= 0) {
+        value = noise.sigma_[static_cast<size_t>(upper)];
+        break;
+      }
     }
     filled[static_cast<size_t>(k)] = std::max(value, RangeNoise::kFloor);
   }

@@ -9,9 +9,10 @@
 
 namespace stratascope {
 
-/// Sums for the paper's regression, Eqs. (7)–(9), in the one frame where it is the right fit: the sensor's. With q = r·u
-/// seen from the sensor, N·q + 1 = 0 is N·u = −1/r, linear in the inverse range; the residual N·q + 1 is the range error
-/// along the beam divided by the range. Weighted sums add up over neurons, windows and regions.
+/// Sums for the paper's regression, Eqs. (7)–(9), in the one frame where it is the right fit: the sensor's.
+/// With q = r·u seen from the sensor, N·q + 1 = 0 is N·u = −1/r, linear in the inverse range; the residual
+/// N·q + 1 is the range error along the beam divided by the range. Weighted sums add up over neurons, windows
+/// and regions.
 struct RangePlaneSums {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // Σ w·q·qᵀ
   double x = 0, y = 0, z = 0;                             // Σ w·q
@@ -20,7 +21,8 @@ struct RangePlaneSums {
 
   void add(const Eigen::Vector3d& q, double weight = 1) {
     const double wx = weight * q.x(), wy = weight * q.y(), wz = weight * q.z();
-    xx += wx * q.x(), xy += wx * q.y(), xz += wx * q.z(), yy += wy * q.y(), yz += wy * q.z(), zz += wz * q.z();
+    xx += wx * q.x(), xy += wx * q.y(), xz += wx * q.z(), yy += wy * q.y(), yz += wy * q.z(),
+        zz += wz * q.z();
     x += wx, y += wy, z += wz, w += weight, n += 1;
   }
   RangePlaneSums& operator+=(const RangePlaneSums& o) {
@@ -54,8 +56,9 @@ struct RangePlane {
   double cosIncidence(const Eigen::Vector3d& q) const { return std::abs(n.dot(q)) / (n.norm() * q.norm()); }
 };
 
-/// Solves Eq. (9) by LDLᵀ of the augmented matrix [A b; bᵀ w]: its last pivot is the residual, without the cancellation
-/// of evaluating w + N·b. n·sensor side: N·0 + 1 > 0, so N points from the surface toward the sensor.
+/// Solves Eq. (9) by LDLᵀ of the augmented matrix [A b; bᵀ w]: its last pivot is the residual, without the
+/// cancellation of evaluating w + N·b. n·sensor side: N·0 + 1 > 0, so N points from the surface toward the
+/// sensor.
 inline RangePlane fitRangePlane(const RangePlaneSums& s) {
   RangePlane plane;
   if (s.n < 3 || !(s.xx > 0) || !(s.yy > 0) || !(s.zz > 0)) return plane;

@@ -14,7 +14,8 @@
 
 namespace stratascope {
 
-SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing, double toleranceDeg) {
+SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,
+                              double toleranceDeg) {
   const double least = std::cos(degToRad(toleranceDeg));
   if (std::abs(normal.z()) >= least) return SurfaceClass::Horizontal;
   if (std::abs(normal.dot(facing)) >= least) return SurfaceClass::Facing;
@@ -31,7 +32,9 @@ double dominantWallDirection(const PointImage& points, const NormalImage& normal
     double a = std::fmod(radToDeg(std::atan2(double(n.y()), double(n.x()))), 90.0);
     return a < 0 ? a + 90.0 : a;
   };
-  auto isWall = [](const Eigen::Vector3f& n) { return std::abs(n.z()) < 0.26f; };  // within 15° of upright; false for NaN
+  auto isWall = [](const Eigen::Vector3f& n) {
+    return std::abs(n.z()) < 0.26f;
+  };  // within 15° of upright; false for NaN
   for (const Eigen::Vector3f& n : normals.normals.values())
     if (isWall(n)) count[static_cast<size_t>(std::min(kBins - 1, static_cast<int>(binAngle(n))))] += 1;
   int peak = 0;
@@ -56,13 +59,20 @@ double dominantWallDirection(const PointImage& points, const NormalImage& normal
 
 namespace {
 
-bool isSurface(SurfaceClass c) { return c >= SurfaceClass::Facing && c <= SurfaceClass::Oblique; }
-bool known(const Eigen::Vector3f& n) { return n.x() == n.x(); }
+bool isSurface(SurfaceClass c) {
+  return c >= SurfaceClass::Facing && c <= SurfaceClass::Oblique;
+}
+bool known(const Eigen::Vector3f& n) {
+  return n.x() == n.x();
+}
 
 class EdgeRule {
- public:
-  EdgeRule(const PointImage& points, const NormalImage& normals, const LatticeSteps& steps, const ClassParams& params)
-      : points_(points), normals_(normals), steps_(steps),
+public:
+  EdgeRule(const PointImage& points, const NormalImage& normals, const LatticeSteps& steps,
+           const ClassParams& params)
+      : points_(points),
+        normals_(normals),
+        steps_(steps),
         cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))) {}
 
   /// An edge class, or Unknown if the neuron is on no edge.
@@ -80,8 +90,10 @@ class EdgeRule {
     // No window fits a neuron right on a crease: look at the surfaces on both sides of it.
     for (size_t d = 0; d < 4; ++d)
       for (int reach : {1, 2}) {
-        const GridIndex a{at.row + reach * kLatticeDirections[d].row, at.col + reach * kLatticeDirections[d].col};
-        const GridIndex b{at.row - reach * kLatticeDirections[d].row, at.col - reach * kLatticeDirections[d].col};
+        const GridIndex a{at.row + reach * kLatticeDirections[d].row,
+                          at.col + reach * kLatticeDirections[d].col};
+        const GridIndex b{at.row - reach * kLatticeDirections[d].row,
+                          at.col - reach * kLatticeDirections[d].col};
         if (!valid(a) || !valid(b)) continue;
         const SurfaceClass c = creaseBetween(a, b);
         if (c != SurfaceClass::Unknown) return c;
@@ -89,7 +101,7 @@ class EdgeRule {
     return SurfaceClass::Unknown;
   }
 
- private:
+private:
   bool valid(GridIndex i) const { return points_.range.contains(i) && points_.range(i) == points_.range(i); }
 
   // Length of a lattice step on the surface at a neuron; without a normal, as if it were seen at 75°.
@@ -115,7 +127,8 @@ class EdgeRule {
   SurfaceClass creaseBetween(GridIndex a, GridIndex b) const {
     const Eigen::Vector3f &n1 = normals_.normals(a), &n2 = normals_.normals(b);
     if (!known(n1) || !known(n2) || n1.dot(n2) >= cosParallel_) return SurfaceClass::Unknown;
-    return (n2 - n1).dot(points_.points(b) - points_.points(a)) > 0 ? SurfaceClass::ConvexEdge : SurfaceClass::ConcaveEdge;
+    return (n2 - n1).dot(points_.points(b) - points_.points(a)) > 0 ? SurfaceClass::ConvexEdge
+                                                                    : SurfaceClass::ConcaveEdge;
   }
 
   const PointImage& points_;
@@ -124,7 +137,8 @@ class EdgeRule {
   float cosParallel_;
 };
 
-// One majority network a surface class, run on the image of that class; the class whose network answers most strongly wins.
+// One majority network a surface class, run on the image of that class; the class whose network answers most
+// strongly wins.
 void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
   constexpr int kSteps = 3;  // strays up to a few neurons vanish, straight borders do not move
   const Grid<SurfaceClass> before = classes;
@@ -138,7 +152,8 @@ void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
       any = any || image[o] > 0;
     }
     if (!any) continue;
-    TemplateNetwork network(template_library::majority(), image, Grid<double>(classes.rows(), classes.cols(), 0.0), 0);
+    TemplateNetwork network(template_library::majority(), image,
+                            Grid<double>(classes.rows(), classes.cols(), 0.0), 0);
     for (int t = 0; t < kSteps; ++t) network.stepDiscrete(execution);
     for (size_t o = 0; o < image.size(); ++o) {
       if (!isSurface(before[o])) continue;
@@ -164,7 +179,8 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
         const SurfaceClass onEdge = edge(at);
         if (onEdge != SurfaceClass::Unknown) return onEdge;
         const Eigen::Vector3f& n = normals.normals(at);
-        return known(n) ? classOfDirection(n.cast<double>(), facing, params.classToleranceDeg) : SurfaceClass::Unknown;
+        return known(n) ? classOfDirection(n.cast<double>(), facing, params.classToleranceDeg)
+                        : SurfaceClass::Unknown;
       },
       execution);
   if (params.clean) cleanSurfaces(image.classes, execution);

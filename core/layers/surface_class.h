@@ -8,19 +8,22 @@
 
 namespace stratascope {
 
-/// Layer 3 of the network. A neuron whose neighbours' normals are parallel to its own lies on a surface, classed by direction:
-/// facing, side, horizontal within classToleranceDeg, else oblique. Where normals differ by more than angleToleranceDeg it lies on an edge:
-/// convex if they open, (n₂ − n₁)·(p₂ − p₁) > 0, else concave; where the depth breaks off, on a jump edge. No normal and
-/// no edge beside it: unknown. With ClassParams::clean, stray surface classes follow the majority template of the network;
-/// edges and unknown neurons keep what they are.
+/// Layer 3 of the network. A neuron whose neighbours' normals are parallel to its own lies on a surface,
+/// classed by direction: facing, side, horizontal within classToleranceDeg, else oblique. Where normals
+/// differ by more than angleToleranceDeg it lies on an edge: convex if they open, (n₂ − n₁)·(p₂ − p₁) > 0,
+/// else concave; where the depth breaks off, on a jump edge. No normal and no edge beside it: unknown. With
+/// ClassParams::clean, stray surface classes follow the majority template of the network; edges and unknown
+/// neurons keep what they are.
 ClassImage computeClasses(const PointImage& points, const NormalImage& normals, const ClassParams& params,
                           const Execution& execution = {});
 
 /// The class a direction belongs to; facing is a horizontal unit vector.
-SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing, double toleranceDeg);
+SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,
+                              double toleranceDeg);
 
-/// Dominant wall direction: yaw modulo 90° of the horizontal normals, robustly (peak of their histogram, then the mean around it),
-/// returned as the yaw nearest to the viewing direction. The viewing direction's yaw if there are no walls.
+/// Dominant wall direction: yaw modulo 90° of the horizontal normals, robustly (peak of their histogram, then
+/// the mean around it), returned as the yaw nearest to the viewing direction. The viewing direction's yaw if
+/// there are no walls.
 double dominantWallDirection(const PointImage& points, const NormalImage& normals);
 
 }  // namespace stratascope

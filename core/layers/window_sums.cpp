@@ -22,9 +22,9 @@ void WindowSums::build(const PointImage& image, const RangeNoise& noise, int fir
       if (r == r) {
         const Eigen::Vector3d q = image.points({i, j}).cast<double>() - image.sensor;
         const double sigma = noise.sigmaAt(r) / r;
-        const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(), q.y() * q.z(),
-                             q.z() * q.z(), q.x(),         q.y(),         q.z(),         1.0,
-                             sigma * sigma};
+        const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(),
+                             q.y() * q.z(), q.z() * q.z(), q.x(),         q.y(),
+                             q.z(),         1.0,           sigma * sigma};
         for (size_t t = 0; t < kTerms; ++t) line[t] += terms[t];
       }
       for (size_t t = 0; t < kTerms; ++t) out[j + 1][t] = above[j + 1][t] + line[t];
@@ -40,7 +40,8 @@ WindowSums::Sums WindowSums::over(const LatticeWindow& window) const {
   Entry s;
   for (size_t t = 0; t < kTerms; ++t) s[t] = (d[t] - b[t]) - (c[t] - a[t]);
   RangePlaneSums& f = sums.fit;
-  f.xx = s[0], f.xy = s[1], f.xz = s[2], f.yy = s[3], f.yz = s[4], f.zz = s[5], f.x = s[6], f.y = s[7], f.z = s[8];
+  f.xx = s[0], f.xy = s[1], f.xz = s[2], f.yy = s[3], f.yz = s[4], f.zz = s[5], f.x = s[6], f.y = s[7],
+  f.z = s[8];
   f.w = f.n = s[9];
   sums.expected = s[10];
   return sums;

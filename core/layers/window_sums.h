@@ -19,10 +19,10 @@ struct LatticeWindow {
   double area() const { return empty() ? 0 : double(bottom - top + 1) * double(right - left + 1); }
 };
 
-/// Summed-area tables of the regression's sums over some lines of a lattice: any window's sums in constant time. Unweighted
-/// sums of q (not of u or r²q) keep near and far neurons within the precision of double.
+/// Summed-area tables of the regression's sums over some lines of a lattice: any window's sums in constant
+/// time. Unweighted sums of q (not of u or r²q) keep near and far neurons within the precision of double.
 class WindowSums {
- public:
+public:
   struct Sums {
     RangePlaneSums fit;   ///< weight 1
     double expected = 0;  ///< Σ σ²/r²: what the residual would be from range noise alone
@@ -35,10 +35,12 @@ class WindowSums {
   int firstLine() const { return first_; }
   int endLine() const { return end_; }
 
- private:
+private:
   static constexpr int kTerms = 11;
   using Entry = std::array<double, kTerms>;
-  const Entry& at(int line, int beam) const { return table_[static_cast<size_t>(line - first_) * stride_ + static_cast<size_t>(beam)]; }
+  const Entry& at(int line, int beam) const {
+    return table_[static_cast<size_t>(line - first_) * stride_ + static_cast<size_t>(beam)];
+  }
   int first_ = 0, end_ = 0;
   size_t stride_ = 0;
   std::vector<Entry> table_;  // one row and one column of zeros before the first

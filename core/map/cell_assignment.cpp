@@ -44,7 +44,8 @@ void sortByUpperBits(std::vector<std::uint64_t>& keys) {
 
 std::string number(double value, int digits) {
   std::array<char, 64> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
   return {buffer.data(), end.ptr};
 }
 
@@ -83,7 +84,8 @@ Expected<MapFrame> windowOf(const Bounds& b, double cell) {
     while (far * cell / fitting >= 2e9) fitting *= 10;
     return Error{"", "map",
                  "the points extend over " + number(width, 6) + " m x " + number(depth, 6) +
-                     " m, too many cells of " + number(cell, 6) + " m (at most " + std::to_string(kMaxMapCells) + ")",
+                     " m, too many cells of " + number(cell, 6) + " m (at most " +
+                     std::to_string(kMaxMapCells) + ")",
                  "use a cell of " + number(fitting, 6) + " m or larger, or remove stray points"};
   }
   return MapFrame{cell, static_cast<std::int32_t>(kMin), static_cast<std::int32_t>(lMin),
@@ -97,7 +99,8 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
   require(std::isfinite(params.cell) && params.cell > 0, "assignCells: the cell size must be positive");
   size_t total = 0;
   for (const MapInput& input : inputs) {
-    require(input.labels.empty() || input.labels.size() == input.points.size(), "assignCells: wrong number of labels");
+    require(input.labels.empty() || input.labels.size() == input.points.size(),
+            "assignCells: wrong number of labels");
     total += input.points.size();
   }
   if (total >= std::numeric_limits<std::uint32_t>::max())

@@ -16,8 +16,8 @@
 
 namespace stratascope {
 
-/// What is laid down in a map: points in the map frame (not finite = missing, skipped), and optionally a plane label for
-/// each.
+/// What is laid down in a map: points in the map frame (not finite = missing, skipped), and optionally a
+/// plane label for each.
 struct MapInput {
   std::span<const Eigen::Vector3f> points;
   std::span<const PlaneLabel> labels;  ///< empty, or as long as points
@@ -29,8 +29,9 @@ inline constexpr std::size_t kMaxMapCells = 64u << 20;
 /// Points sorted into cells: made once for a cell size, shared by all maps of that size.
 struct CellAssignment {
   MapFrame frame;  ///< its window is the bounding box of the occupied cells
-  /// CSR: heights of cell o are heights[first[o]] … heights[first[o+1]−1], ascending by (height, source). Never NaN, never −0.
-  std::vector<std::uint32_t> first;   ///< frame.size() + 1
+  /// CSR: heights of cell o are heights[first[o]] … heights[first[o+1]−1], ascending by (height, source).
+  /// Never NaN, never −0.
+  std::vector<std::uint32_t> first;  ///< frame.size() + 1
   std::vector<float> heights;
   std::vector<std::uint32_t> source;  ///< index of each height's point: inputs counted through, in order
 };

@@ -12,7 +12,9 @@ namespace {
 /// Columns of cells a thread takes at once.
 constexpr int kChunkColumns = 32;
 
-double gap(float lower, float upper) { return static_cast<double>(upper) - static_cast<double>(lower); }
+double gap(float lower, float upper) {
+  return static_cast<double>(upper) - static_cast<double>(lower);
+}
 
 /// Heights ascending: a record ends where the next height is ε or more above.
 void linkHeights(std::span<const float> heights, double epsilon, std::vector<HeightInterval>& records) {
@@ -24,9 +26,10 @@ void linkHeights(std::span<const float> heights, double epsilon, std::vector<Hei
   }
 }
 
-/// One step of section 4 of the paper, with record^k.max and record^n where it prints record^0 in rules 1 and 4.
-/// `records` are the cell's own, in the order they were made.
-void addByPaper(float z, double epsilon, std::span<HeightInterval> own, std::vector<HeightInterval>& records) {
+/// One step of section 4 of the paper, with record^k.max and record^n where it prints record^0 in rules 1
+/// and 4. `records` are the cell's own, in the order they were made.
+void addByPaper(float z, double epsilon, std::span<HeightInterval> own,
+                std::vector<HeightInterval>& records) {
   for (HeightInterval& r : own)
     if (r.min <= z && z <= r.max) {
       ++r.points;
@@ -47,13 +50,13 @@ void addByPaper(float z, double epsilon, std::span<HeightInterval> own, std::vec
 
 /// Heights and their points' numbers; `order` is scratch.
 void applyPaperRule(std::span<const float> heights, std::span<const std::uint32_t> source, double epsilon,
-                    std::vector<std::pair<std::uint32_t, float>>& order, std::vector<HeightInterval>& records) {
+                    std::vector<std::pair<std::uint32_t, float>>& order,
+                    std::vector<HeightInterval>& records) {
   order.clear();
   for (size_t i = 0; i < heights.size(); ++i) order.emplace_back(source[i], heights[i]);
   std::sort(order.begin(), order.end());
   const size_t begin = records.size();
-  for (const auto& [point, z] : order)
-    addByPaper(z, epsilon, std::span(records).subspan(begin), records);
+  for (const auto& [point, z] : order) addByPaper(z, epsilon, std::span(records).subspan(begin), records);
   std::sort(records.begin() + static_cast<std::ptrdiff_t>(begin), records.end(),
             [](const HeightInterval& a, const HeightInterval& b) {
               return std::tie(a.min, a.max, a.points) < std::tie(b.min, b.max, b.points);
@@ -62,12 +65,14 @@ void applyPaperRule(std::span<const float> heights, std::span<const std::uint32_
 
 }  // namespace
 
-IntervalMap buildIntervalMap(const CellAssignment& cells, const IntervalParams& params, const Execution& execution) {
+IntervalMap buildIntervalMap(const CellAssignment& cells, const IntervalParams& params,
+                             const Execution& execution) {
   require(std::isfinite(params.epsilon) && params.epsilon > 0, "buildIntervalMap: epsilon must be positive");
   IntervalMap map{cells.frame, std::vector<std::uint32_t>(cells.frame.size() + 1, 0), {}};
   const size_t rows = static_cast<size_t>(cells.frame.rows);
   const int columns = cells.frame.columns;
-  std::vector<std::vector<HeightInterval>> parts(static_cast<size_t>((columns + kChunkColumns - 1) / kChunkColumns));
+  std::vector<std::vector<HeightInterval>> parts(
+      static_cast<size_t>((columns + kChunkColumns - 1) / kChunkColumns));
 
   parallelRows(
       columns, execution,
@@ -81,7 +86,8 @@ IntervalMap buildIntervalMap(const CellAssignment& cells, const IntervalParams& 
           if (params.rule == IntervalRule::Linked)
             linkHeights(heights, params.epsilon, part);
           else
-            applyPaperRule(heights, std::span(cells.source).subspan(from, count), params.epsilon, order, part);
+            applyPaperRule(heights, std::span(cells.source).subspan(from, count), params.epsilon, order,
+                           part);
           map.first[o + 1] = static_cast<std::uint32_t>(part.size() - before);
         }
       },

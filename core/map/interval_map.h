@@ -14,14 +14,16 @@ namespace stratascope {
 struct HeightInterval {
   float min = 0;
   float max = 0;
-  std::uint32_t points = 0;  ///< Linked: heights in it. Paper: heights that fell into it or stretched it when they came
+  std::uint32_t points =
+      0;  ///< Linked: heights in it. Paper: heights that fell into it or stretched it when they came
   bool operator==(const HeightInterval&) const = default;
 };
 
 /// Extended 2.5D map. Records of cell o: records[first[o]] … records[first[o+1]−1], ascending in (min, max).
-/// Linked (default): two heights belong together when a chain of heights with gaps below ε joins them: independent of the
-/// order of the points, and at most ⌊H/ε⌋ + 1 records for a height range H. Paper: the sequential rule of section 4 of the
-/// paper with its misprints corrected, applied in the order of the points; its records may touch or overlap.
+/// Linked (default): two heights belong together when a chain of heights with gaps below ε joins them:
+/// independent of the order of the points, and at most ⌊H/ε⌋ + 1 records for a height range H. Paper: the
+/// sequential rule of section 4 of the paper with its misprints corrected, applied in the order of the
+/// points; its records may touch or overlap.
 struct IntervalMap {
   MapFrame frame;
   std::vector<std::uint32_t> first;  ///< frame.size() + 1
@@ -32,6 +34,7 @@ struct IntervalMap {
     return {records.data() + first[o], records.data() + first[o + 1]};
   }
 };
-IntervalMap buildIntervalMap(const CellAssignment& cells, const IntervalParams& params, const Execution& execution = {});
+IntervalMap buildIntervalMap(const CellAssignment& cells, const IntervalParams& params,
+                             const Execution& execution = {});
 
 }  // namespace stratascope

@@ -10,9 +10,10 @@
 
 namespace stratascope {
 
-/// Raster-object map: which planes pass through each record, and which cells each plane has. A plane passes through a record
-/// if one of its points lies in the cell at a height in [min, max]. `objects` of record i of the interval map it was built
-/// with: labels[first[i]] … labels[first[i+1]−1], ascending, each once, without kNoPlane.
+/// Raster-object map: which planes pass through each record, and which cells each plane has. A plane passes
+/// through a record if one of its points lies in the cell at a height in [min, max]. `objects` of record i of
+/// the interval map it was built with: labels[first[i]] … labels[first[i+1]−1], ascending, each once, without
+/// kNoPlane.
 struct ObjectMap {
   std::vector<std::uint32_t> first;  ///< records + 1
   std::vector<PlaneLabel> labels;
@@ -29,6 +30,7 @@ struct ObjectMap {
   const Cells* find(PlaneLabel label) const;
 };
 /// cells and intervals must be of the same points as inputs, in the same order.
-ObjectMap buildObjectMap(const CellAssignment& cells, const IntervalMap& intervals, std::span<const MapInput> inputs);
+ObjectMap buildObjectMap(const CellAssignment& cells, const IntervalMap& intervals,
+                         std::span<const MapInput> inputs);
 
 }  // namespace stratascope

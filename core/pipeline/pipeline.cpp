@@ -19,7 +19,8 @@ namespace stratascope {
 
 namespace {
 
-/// Products of one scan and the parameters each was made with: a product stands as long as these and what it was made from do.
+/// Products of one scan and the parameters each was made with: a product stands as long as these and what it
+/// was made from do.
 struct ScanCache {
   ScanProducts products;
   std::optional<RangeParams> range;
@@ -29,8 +30,8 @@ struct ScanCache {
   std::optional<double> edges;
 };
 
-// The plane of a point of an unordered cloud: its neuron's, or, where a nearer point took the neuron, that one's plane if
-// the point lies in it.
+// The plane of a point of an unordered cloud: its neuron's, or, where a nearer point took the neuron, that
+// one's plane if the point lies in it.
 std::vector<PlaneLabel> labelsOfCloud(const ScanProducts& scan, double planeDistance) {
   std::vector<PlaneLabel> labels(scan.cloud->size(), kNoPlane);
   (void)planeDistance;
@@ -45,8 +46,10 @@ std::vector<Eigen::Vector3f> cloudInMap(const Scan& scan) {
   std::vector<Eigen::Vector3f> cloud(scan.cloud.size());
   for (size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& p = scan.cloud[i];
-    if (p.allFinite()) cloud[i] = (scan.pose.map_T_scan * p.cast<double>()).cast<float>();
-    else cloud[i] = Eigen::Vector3f::Constant(kNaNf);
+    if (p.allFinite())
+      cloud[i] = (scan.pose.map_T_scan * p.cast<double>()).cast<float>();
+    else
+      cloud[i] = Eigen::Vector3f::Constant(kNaNf);
   }
   return cloud;
 }
@@ -70,9 +73,11 @@ struct Pipeline::State {
     for (const ScanCache& c : scans) {
       const ScanProducts& p = c.products;
       if (p.cloud)
-        inputs.push_back({*p.cloud, p.cloudLabels ? std::span<const PlaneLabel>(*p.cloudLabels) : std::span<const PlaneLabel>{}});
+        inputs.push_back({*p.cloud, p.cloudLabels ? std::span<const PlaneLabel>(*p.cloudLabels)
+                                                  : std::span<const PlaneLabel>{}});
       else
-        inputs.push_back({p.points->points.values(), p.planes ? p.planes->labels.values() : std::span<const PlaneLabel>{}});
+        inputs.push_back({p.points->points.values(),
+                          p.planes ? p.planes->labels.values() : std::span<const PlaneLabel>{}});
     }
     return inputs;
   }
@@ -101,9 +106,12 @@ void Pipeline::setScans(std::vector<ScanPtr> scans) {
   require(base < std::numeric_limits<PlaneLabel>::max(), "Pipeline: more neurons than labels");
 }
 
-const std::array<int, kStageCount>& Pipeline::executions() const { return state_->executions; }
+const std::array<int, kStageCount>& Pipeline::executions() const {
+  return state_->executions;
+}
 
-Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Execution& execution, const Progress& progress) {
+Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Execution& execution,
+                                    const Progress& progress) {
   State& s = *state_;
   if (s.scans.empty()) return Error{"", "", "there is no scan to process", "open one first"};
   const std::vector<std::string> problems = params.validate();
@@ -131,7 +139,8 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
   stage(Stage::Points, [&] {
     for (ScanCache& c : s.scans) {
       if (c.range == params.range) continue;
-      auto image = std::make_shared<const PointImage>(computePoints(*c.products.scan, params.range, execution));
+      auto image =
+          std::make_shared<const PointImage>(computePoints(*c.products.scan, params.range, execution));
       if (c.products.scan->unordered() && !c.products.cloud)
         c.products.cloud = std::make_shared<const std::vector<Eigen::Vector3f>>(cloudInMap(*c.products.scan));
       c.products.points = std::move(image);
@@ -146,7 +155,8 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
     bool ran = false;
     for (ScanCache& c : s.scans) {
       if (c.normals == params.normals) continue;
-      c.products.normals = std::make_shared<const NormalImage>(computeNormals(*c.products.points, params.normals, execution));
+      c.products.normals =
+          std::make_shared<const NormalImage>(computeNormals(*c.products.points, params.normals, execution));
       c.normals = params.normals;
       c.classes.reset();
       c.planes.reset();
@@ -174,7 +184,8 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
           computePlanes(*c.products.points, *c.products.normals, *c.products.classes, params.planes,
                         params.classes.classToleranceDeg, c.products.labelBase, execution));
       if (c.products.cloud)
-        c.products.cloudLabels = std::make_shared<const std::vector<PlaneLabel>>(labelsOfCloud(c.products, params.planes.planeDistance));
+        c.products.cloudLabels = std::make_shared<const std::vector<PlaneLabel>>(
+            labelsOfCloud(c.products, params.planes.planeDistance));
       c.planes = wanted;
       c.edges.reset();
       labelsChanged = true;
@@ -186,8 +197,9 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
     bool ran = false;
     for (ScanCache& c : s.scans) {
       if (c.edges == params.classes.angleToleranceDeg) continue;
-      c.products.edges = std::make_shared<const EdgeSet>(computeEdges(
-          *c.products.points, *c.products.classes, *c.products.planes, params.classes.angleToleranceDeg, execution));
+      c.products.edges = std::make_shared<const EdgeSet>(
+          computeEdges(*c.products.points, *c.products.classes, *c.products.planes,
+                       params.classes.angleToleranceDeg, execution));
       c.edges = params.classes.angleToleranceDeg;
       ran = true;
     }
@@ -217,7 +229,8 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
   });
   stage(Stage::Intervals, [&] {
     if (s.intervals == params.intervals) return false;
-    s.intervalMap = std::make_shared<const IntervalMap>(buildIntervalMap(*s.cells, params.intervals, execution));
+    s.intervalMap =
+        std::make_shared<const IntervalMap>(buildIntervalMap(*s.cells, params.intervals, execution));
     s.intervals = params.intervals;
     s.objectMap.reset();
     return true;

@@ -14,10 +14,11 @@
 
 namespace stratascope {
 
-/// The synchronous engine: scans and parameters in, a snapshot out. Complete without threads of its own; keeps the last
-/// products and reruns only stages whose inputs or parameters changed. Not thread-safe: one caller at a time.
+/// The synchronous engine: scans and parameters in, a snapshot out. Complete without threads of its own;
+/// keeps the last products and reruns only stages whose inputs or parameters changed. Not thread-safe: one
+/// caller at a time.
 class Pipeline {
- public:
+public:
   Pipeline();
   ~Pipeline();
   Pipeline(Pipeline&&) noexcept;
@@ -30,12 +31,13 @@ class Pipeline {
 
   /// Errors: parameters that do not validate, a map too large for its cell size, no scan.
   /// Throws Cancelled if asked to stop; products finished before that are kept for the next run.
-  Expected<SnapshotPtr> run(const PipelineParams& params, const Execution& execution = {}, const Progress& progress = {});
+  Expected<SnapshotPtr> run(const PipelineParams& params, const Execution& execution = {},
+                            const Progress& progress = {});
 
   /// How often each stage has really run since construction.
   const std::array<int, kStageCount>& executions() const;
 
- private:
+private:
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -19,8 +19,12 @@ constexpr std::array<StageNames, kStageCount> kNames = {{{"points", "Points"},
                                                          {"objects", "Raster-object map"}}};
 }  // namespace
 
-const char* stageName(Stage stage) { return kNames[static_cast<size_t>(stage)].name; }
-const char* stageLabel(Stage stage) { return kNames[static_cast<size_t>(stage)].label; }
+const char* stageName(Stage stage) {
+  return kNames[static_cast<size_t>(stage)].name;
+}
+const char* stageLabel(Stage stage) {
+  return kNames[static_cast<size_t>(stage)].label;
+}
 
 const Plane* Snapshot::plane(PlaneLabel label) const {
   for (const ScanProducts& scan : scans)

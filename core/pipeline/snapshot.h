@@ -16,7 +16,17 @@
 namespace stratascope {
 
 /// The stages in the order they run. A stage is named after its product.
-enum class Stage : std::uint8_t { Points, Normals, Classes, Planes, Edges, Cells, HeightMap, Intervals, Objects };
+enum class Stage : std::uint8_t {
+  Points,
+  Normals,
+  Classes,
+  Planes,
+  Edges,
+  Cells,
+  HeightMap,
+  Intervals,
+  Objects
+};
 inline constexpr int kStageCount = 9;
 const char* stageName(Stage stage);   ///< "points", "normals", …: keys of run.json
 const char* stageLabel(Stage stage);  ///< "Points", "Normals", … for people
@@ -40,7 +50,8 @@ struct ScanProducts {
   std::shared_ptr<const std::vector<PlaneLabel>> cloudLabels;
 };
 
-/// Everything computed from some scans with some parameters. Immutable; crosses threads as shared_ptr<const Snapshot>.
+/// Everything computed from some scans with some parameters. Immutable; crosses threads as shared_ptr<const
+/// Snapshot>.
 struct Snapshot {
   std::uint64_t generation = 0;  ///< rises with every snapshot of one pipeline
   PipelineParams params;

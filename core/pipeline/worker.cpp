@@ -41,7 +41,7 @@ struct Worker::State {
   std::mutex mutex;
   std::condition_variable wake;
   bool quit = false;
-  std::optional<Request> next;        // the one-place slot
+  std::optional<Request> next;  // the one-place slot
   std::optional<Request> running;
   std::optional<Stage> stage;
   std::stop_source stop;
@@ -73,7 +73,8 @@ void Worker::request(std::optional<std::vector<ScanPtr>> scans, const PipelinePa
   State& s = *state_;
   {
     const std::lock_guard lock(s.mutex);
-    if (!scans && s.next && s.next->scans) scans = std::move(s.next->scans);  // new scans not yet taken up stay wanted
+    if (!scans && s.next && s.next->scans)
+      scans = std::move(s.next->scans);  // new scans not yet taken up stay wanted
     const bool newScans = scans.has_value();
     s.next = Request{std::move(scans), params};
     if (s.running) {

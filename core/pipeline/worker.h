@@ -20,13 +20,15 @@ struct WorkerUpdate {
   std::optional<Stage> stage;        ///< the stage running now
 };
 
-/// One thread around a Pipeline. Requests go into a one-place slot: the newest wins. A running job is stopped when a newer
-/// request makes it pointless: something at or before the running stage changed, and a result appeared within the last quarter
-/// second (always cancelling would show nothing during a drag). All calls are thread-safe and return at once, but for
-/// the destructor, which stops the job and joins (well under two seconds).
+/// One thread around a Pipeline. Requests go into a one-place slot: the newest wins. A running job is stopped
+/// when a newer request makes it pointless: something at or before the running stage changed, and a result
+/// appeared within the last quarter second (always cancelling would show nothing during a drag). All calls
+/// are thread-safe and return at once, but for the destructor, which stops the job and joins (well under two
+/// seconds).
 class Worker {
- public:
-  /// notify is called from the worker thread, without arguments, when an update can be taken. It must not block.
+public:
+  /// notify is called from the worker thread, without arguments, when an update can be taken. It must not
+  /// block.
   explicit Worker(std::function<void()> notify, int threads = 0);
   ~Worker();
 
@@ -36,7 +38,7 @@ class Worker {
   void cancel();
   WorkerUpdate take();
 
- private:
+private:
   struct State;
   std::unique_ptr<State> state_;
 };

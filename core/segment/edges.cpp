@@ -13,13 +13,16 @@ namespace stratascope {
 
 namespace {
 
-constexpr size_t kLeastPoints = 8;      // a segment from fewer neurons is a guess
-constexpr double kLeastLength = 0.05;   // metres
-constexpr double kLargestGap = 0.30;    // along the line: farther apart, and it is two segments
-constexpr double kNearLine = 0.06;      // boundary neurons farther than this from the intersection belong to another edge
-constexpr double kStraight = 0.04;      // how far a straight piece of a jump edge may bulge
+constexpr size_t kLeastPoints = 8;     // a segment from fewer neurons is a guess
+constexpr double kLeastLength = 0.05;  // metres
+constexpr double kLargestGap = 0.30;   // along the line: farther apart, and it is two segments
+constexpr double kNearLine =
+    0.06;  // boundary neurons farther than this from the intersection belong to another edge
+constexpr double kStraight = 0.04;  // how far a straight piece of a jump edge may bulge
 
-bool isVertical(const Eigen::Vector3d& direction) { return std::abs(direction.normalized().z()) >= std::cos(degToRad(15)); }
+bool isVertical(const Eigen::Vector3d& direction) {
+  return std::abs(direction.normalized().z()) >= std::cos(degToRad(15));
+}
 
 // Where two planes touch: their labels, and the neurons on both sides.
 using Contacts = std::map<std::pair<PlaneLabel, PlaneLabel>, std::vector<Eigen::Vector3d>>;
@@ -62,7 +65,8 @@ void addCreases(const PointImage& points, const PlaneImage& planes, double angle
     middle /= static_cast<double>(contact.size());
     Eigen::Matrix3d system;
     system << a.normal.transpose(), b.normal.transpose(), direction.transpose();
-    const Eigen::Vector3d anchor = system.inverse() * Eigen::Vector3d(a.offset, b.offset, direction.dot(middle));
+    const Eigen::Vector3d anchor =
+        system.inverse() * Eigen::Vector3d(a.offset, b.offset, direction.dot(middle));
 
     struct OnLine {
       double t, distance;
@@ -72,7 +76,9 @@ void addCreases(const PointImage& points, const PlaneImage& planes, double angle
       const double t = direction.dot(p - anchor), distance = (p - anchor - t * direction).norm();
       if (distance <= kNearLine) members.push_back({t, distance});
     }
-    std::sort(members.begin(), members.end(), [](const OnLine& x, const OnLine& y) { return x.t != y.t ? x.t < y.t : x.distance < y.distance; });
+    std::sort(members.begin(), members.end(), [](const OnLine& x, const OnLine& y) {
+      return x.t != y.t ? x.t < y.t : x.distance < y.distance;
+    });
     // Normals open away from each other on a convex edge: a's centroid lies behind b's plane.
     const bool convex = b.normal.dot(a.centroid) - b.offset < 0 && a.normal.dot(b.centroid) - a.offset < 0;
     const bool concave = b.normal.dot(a.centroid) - b.offset > 0 && a.normal.dot(b.centroid) - a.offset > 0;
@@ -80,18 +86,20 @@ void addCreases(const PointImage& points, const PlaneImage& planes, double angle
     for (size_t begin = 0; begin < members.size();) {
       size_t end = begin + 1;
       double sum = members[begin].distance;
-      while (end < members.size() && members[end].t - members[end - 1].t <= kLargestGap) sum += members[end++].distance;
+      while (end < members.size() && members[end].t - members[end - 1].t <= kLargestGap)
+        sum += members[end++].distance;
       const double length = members[end - 1].t - members[begin].t;
       if (end - begin >= kLeastPoints && length >= kLeastLength)
         set.edges.push_back({opens ? EdgeKind::Convex : EdgeKind::Concave, isVertical(direction),
-                             anchor + members[begin].t * direction, anchor + members[end - 1].t * direction, end - begin,
-                             sum / static_cast<double>(end - begin)});
+                             anchor + members[begin].t * direction, anchor + members[end - 1].t * direction,
+                             end - begin, sum / static_cast<double>(end - begin)});
       begin = end;
     }
   }
 }
 
-// ---- jump edges -------------------------------------------------------------------------------------------------
+// ---- jump edges
+// -------------------------------------------------------------------------------------------------
 
 using Polyline = std::vector<Eigen::Vector3d>;
 
@@ -114,14 +122,18 @@ void splitStraight(const Polyline& line, size_t begin, size_t end, EdgeSet& set)
     splitStraight(line, at, end, set);
     return;
   }
-  set.edges.push_back({EdgeKind::Jump, isVertical(direction), line[begin], line[end - 1], end - begin, sum / static_cast<double>(end - begin)});
+  set.edges.push_back({EdgeKind::Jump, isVertical(direction), line[begin], line[end - 1], end - begin,
+                       sum / static_cast<double>(end - begin)});
 }
 
-// Follows jumps between neighbours along `across` from one lattice line (or beam) to the next, on the nearer side.
+// Follows jumps between neighbours along `across` from one lattice line (or beam) to the next, on the nearer
+// side.
 void addJumps(const PointImage& points, const ClassImage& classes, bool acrossBeams, EdgeSet& set) {
   const int steps = acrossBeams ? points.range.rows() : points.range.cols();
   const int width = acrossBeams ? points.range.cols() : points.range.rows();
-  auto neuron = [&](int step, int place) { return acrossBeams ? GridIndex{step, place} : GridIndex{place, step}; };
+  auto neuron = [&](int step, int place) {
+    return acrossBeams ? GridIndex{step, place} : GridIndex{place, step};
+  };
   auto isJump = [&](GridIndex i) { return classes.classes(i) == SurfaceClass::JumpEdge; };
 
   struct Open {
@@ -170,8 +182,8 @@ void addJumps(const PointImage& points, const ClassImage& classes, bool acrossBe
 
 }  // namespace
 
-EdgeSet computeEdges(const PointImage& points, const ClassImage& classes, const PlaneImage& planes, double angleToleranceDeg,
-                     const Execution& execution) {
+EdgeSet computeEdges(const PointImage& points, const ClassImage& classes, const PlaneImage& planes,
+                     double angleToleranceDeg, const Execution& execution) {
   EdgeSet set;
   addCreases(points, planes, angleToleranceDeg, set);
   throwIfStopped(execution);

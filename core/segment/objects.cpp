@@ -36,19 +36,23 @@ std::vector<Members> collect(const PointImage& image, const PlaneRegions& region
     // The solid angle of one neuron, laid on the plane it sees.
     const double r = image.range[o];
     const LatticeSteps::Step step = steps.at(image.range.index(o));
-    m.area += r * r * step.line * step.beam / std::max(0.05, regions.planes[static_cast<size_t>(l)].cosIncidence(p - image.sensor));
+    m.area += r * r * step.line * step.beam /
+              std::max(0.05, regions.planes[static_cast<size_t>(l)].cosIncidence(p - image.sensor));
   }
   return members;
 }
 
-// Andrew's monotone chain in the plane's own coordinates; u × v = normal, so counter-clockwise is as the sensor sees it.
+// Andrew's monotone chain in the plane's own coordinates; u × v = normal, so counter-clockwise is as the
+// sensor sees it.
 std::vector<Eigen::Vector3d> convexHull(const std::vector<Eigen::Vector3d>& points, const Plane& plane) {
-  const Eigen::Vector3d helper = std::abs(plane.normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d helper =
+      std::abs(plane.normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
   const Eigen::Vector3d u = helper.cross(plane.normal).normalized(), v = plane.normal.cross(u);
   std::vector<Eigen::Vector2d> flat;
   flat.reserve(points.size());
   for (const auto& p : points) flat.emplace_back(u.dot(p - plane.centroid), v.dot(p - plane.centroid));
-  std::sort(flat.begin(), flat.end(), [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::sort(flat.begin(), flat.end(),
+            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   std::vector<Eigen::Vector2d> chain(2 * flat.size() + 1);
   size_t k = 0;
   auto turnsRight = [&](const Eigen::Vector2d& p) {
@@ -89,7 +93,9 @@ void nameLevels(std::vector<Plane>& planes, double sensorHeight) {
     const double z = p.centroid.z();
     if (p.normal.z() > 0) {
       if (!floor) continue;
-      p.role = std::abs(z - floor->centroid.z()) <= kSameLevel ? "floor" : z > floor->centroid.z() ? "raised" : "lowered";
+      p.role = std::abs(z - floor->centroid.z()) <= kSameLevel ? "floor"
+               : z > floor->centroid.z()                       ? "raised"
+                                                               : "lowered";
     } else if (ceiling && std::abs(z - ceiling->centroid.z()) <= kSameLevel) {
       p.role = "ceiling";
     }
@@ -124,7 +130,8 @@ PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, c
         paper->offset += paper->normal.dot(points.sensor);
         fit = paper;
       } else {
-        image.notes.push_back("plane " + std::to_string(plane.label) + ": " + paper.error().message() + "; total least squares used");
+        image.notes.push_back("plane " + std::to_string(plane.label) + ": " + paper.error().message() +
+                              "; total least squares used");
       }
     }
     if (!fit) continue;

@@ -8,9 +8,10 @@
 
 namespace stratascope {
 
-/// Layer 4 and the planes gathered from it: regions grown in the sensor's frame (plane_regions.h), each fitted in the map
-/// frame by total least squares, or by the paper's regression where that is well-conditioned (else a note says so and
-/// total least squares stands in). Labels are labelBase + 1 + offset of the first neuron.
+/// Layer 4 and the planes gathered from it: regions grown in the sensor's frame (plane_regions.h), each
+/// fitted in the map frame by total least squares, or by the paper's regression where that is
+/// well-conditioned (else a note says so and total least squares stands in). Labels are labelBase + 1 +
+/// offset of the first neuron.
 PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, const ClassImage& classes,
                          const PlaneParams& params, double classToleranceDeg, PlaneLabel labelBase,
                          const Execution& execution = {});

@@ -26,7 +26,8 @@ void PatchGraph::connect(int a, int b) {
 }
 
 int PatchGraph::find(int patch) const {
-  while (patches_[static_cast<size_t>(patch)].parent != patch) patch = patches_[static_cast<size_t>(patch)].parent;
+  while (patches_[static_cast<size_t>(patch)].parent != patch)
+    patch = patches_[static_cast<size_t>(patch)].parent;
   return patch;
 }
 
@@ -38,10 +39,7 @@ PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   if (!plane.valid) return {0, 0, false};
   const double total = std::max(0.0, plane.residual - pa.plane.residual - pb.plane.residual);
   const double smaller = std::min(pa.sums.n, pb.sums.n);
-  bool allowed = total <= rules.chiSquare + rules.flatness * smaller;
-  constexpr double kFirmNormal = 30;  // neurons from which on a region's normal means something
-  if (allowed && smaller >= kFirmNormal && pa.plane.valid && pb.plane.valid)
-    allowed = pa.plane.normal().dot(pb.plane.normal()) >= rules.cosLargestAngle;
+  const bool allowed = total <= rules.chiSquare + rules.flatness * smaller;
   return {total / smaller, total, allowed};
 }
 
@@ -53,48 +51,60 @@ void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
   auto push = [&](int a, int b) {
     if (a > b) std::swap(a, b);
     const Growth g = growth(a, b, rules);
-    if (g.allowed) queue.emplace(g.perNeuron, a, b, version[static_cast<size_t>(a)], version[static_cast<size_t>(b)]);
+    if (g.allowed)
+      queue.emplace(g.perNeuron, a, b, version[static_cast<size_t>(a)], version[static_cast<size_t>(b)]);
   };
-  for (size_t a = 0; a < patches_.size(); ++a) {
-    auto& list = patches_[a].neighbours;
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    for (int b : list)
-      if (static_cast<int>(a) < b) push(static_cast<int>(a), b);
-  }
+  // A pair refused while both were small may be welcome once they have grown (and chance alone refuses one in
+  // ten thousand), so all pairs are offered again until nothing joins any more.
   std::vector<int> mark(patches_.size(), -1);
-  for (size_t popped = 0; !queue.empty(); ++popped) {
-    if (popped % 4096 == 0) throwIfStopped(execution);
-    const auto [cost, a, b, va, vb] = queue.top();
-    queue.pop();
-    if (find(a) != a || find(b) != b) continue;
-    if (version[static_cast<size_t>(a)] != va || version[static_cast<size_t>(b)] != vb) {
-      push(a, b);  // one of them grew since: weigh the pair anew
-      continue;
+  bool joined = true;
+  size_t popped = 0;
+  while (joined) {
+    joined = false;
+    for (size_t a = 0; a < patches_.size(); ++a) {
+      if (patches_[a].parent != static_cast<int>(a)) continue;
+      auto& list = patches_[a].neighbours;
+      for (int& b : list) b = find(b);
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+      for (int b : list)
+        if (static_cast<int>(a) < b) push(static_cast<int>(a), b);
     }
-    Patch &keep = patches_[static_cast<size_t>(a)], &gone = patches_[static_cast<size_t>(b)];
-    keep.sums += gone.sums;
-    keep.plane = fitRangePlane(keep.sums);
-    gone.parent = a;
-    ++version[static_cast<size_t>(a)];
-    // The pairs of `a` are weighed anew when they come up; those of `b` become pairs of `a` unless it had them.
-    for (int c : keep.neighbours) mark[static_cast<size_t>(find(c))] = a;
-    std::vector<int> added;
-    for (int c : gone.neighbours) {
-      const int root = find(c);
-      if (root == a || mark[static_cast<size_t>(root)] == a) continue;
-      mark[static_cast<size_t>(root)] = a;
-      added.push_back(root);
+    while (!queue.empty()) {
+      if (popped++ % 4096 == 0) throwIfStopped(execution);
+      const auto [cost, a, b, va, vb] = queue.top();
+      queue.pop();
+      if (find(a) != a || find(b) != b) continue;
+      if (version[static_cast<size_t>(a)] != va || version[static_cast<size_t>(b)] != vb) {
+        push(a, b);  // one of them grew since: weigh the pair anew
+        continue;
+      }
+      joined = true;
+      Patch &keep = patches_[static_cast<size_t>(a)], &gone = patches_[static_cast<size_t>(b)];
+      keep.sums += gone.sums;
+      keep.plane = fitRangePlane(keep.sums);
+      gone.parent = a;
+      ++version[static_cast<size_t>(a)];
+      // The pairs of `a` are weighed anew when they come up; those of `b` become pairs of `a` unless it had
+      // them.
+      for (int c : keep.neighbours) mark[static_cast<size_t>(find(c))] = a;
+      std::vector<int> added;
+      for (int c : gone.neighbours) {
+        const int root = find(c);
+        if (root == a || mark[static_cast<size_t>(root)] == a) continue;
+        mark[static_cast<size_t>(root)] = a;
+        added.push_back(root);
+      }
+      for (int c : keep.neighbours) mark[static_cast<size_t>(find(c))] = -1;
+      for (int c : added) mark[static_cast<size_t>(c)] = -1;
+      for (int c : added) {
+        keep.neighbours.push_back(c);
+        patches_[static_cast<size_t>(c)].neighbours.push_back(a);
+        push(a, c);
+      }
+      gone.neighbours.clear();
+      gone.neighbours.shrink_to_fit();
     }
-    for (int c : keep.neighbours) mark[static_cast<size_t>(find(c))] = -1;
-    for (int c : added) mark[static_cast<size_t>(c)] = -1;
-    for (int c : added) {
-      keep.neighbours.push_back(c);
-      patches_[static_cast<size_t>(c)].neighbours.push_back(a);
-      push(a, c);
-    }
-    gone.neighbours.clear();
-    gone.neighbours.shrink_to_fit();
   }
 }
 

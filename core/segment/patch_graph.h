@@ -11,14 +11,14 @@
 
 namespace stratascope {
 
-/// Regions joined greedily over a graph of neighbours: always the pair whose squared error grows least a neuron. Sums are
-/// weighted by r²/σ², so errors are in units of the noise. Single-threaded, independent of the machine.
+/// Regions joined greedily over a graph of neighbours: always the pair whose squared error grows least a
+/// neuron. Sums are weighted by r²/σ², so errors are in units of the noise. Single-threaded, independent of
+/// the machine.
 class PatchGraph {
- public:
+public:
   struct Rules {
-    double chiSquare = 0;         ///< growth that noise alone explains (3 degrees of freedom)
-    double flatness = 0;          ///< further growth per neuron of the smaller region: real surfaces are not flat
-    double cosLargestAngle = -1;  ///< regions of more than a few neurons with normals farther apart never join
+    double chiSquare = 0;  ///< growth that noise alone explains (3 degrees of freedom)
+    double flatness = 0;   ///< further growth per neuron of the smaller region: real surfaces are not flat
   };
 
   /// Adds a patch; returns its index.
@@ -33,7 +33,7 @@ class PatchGraph {
   const RangePlaneSums& sums(int root) const { return patches_[static_cast<size_t>(root)].sums; }
   const RangePlane& plane(int root) const { return patches_[static_cast<size_t>(root)].plane; }
 
- private:
+private:
   struct Patch {
     RangePlaneSums sums;
     RangePlane plane;

@@ -56,7 +56,10 @@ Expected<FittedPlane> fitPaperRegression(const PointMoments& m) {
   const double condition = values(0) > 0 ? values(2) / values(0) : INFINITY;
   if (!(condition <= kWorstCondition)) {
     char text[160];
-    std::snprintf(text, sizeof text, "the paper's regression (Eq. 9) is ill-conditioned here, condition %.1e: the plane passes too near the origin", condition);
+    std::snprintf(text, sizeof text,
+                  "the paper's regression (Eq. 9) is ill-conditioned here, condition %.1e: the plane passes "
+                  "too near the origin",
+                  condition);
     return Error{"", "", text, "use total least squares (--plane-fit tls)"};
   }
   // Solve in the eigenbasis already at hand.

@@ -30,15 +30,20 @@ struct Neurons {
   bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
   bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
   Eigen::Vector3d q(GridIndex i) const { return points.points(i).cast<double>() - points.sensor; }
-  /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the surface's own roughness.
+  /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the
+  /// surface's own roughness.
   double variance(GridIndex i, double cosine) const {
-    const double sigma = normals.noise.sigmaAt(points.range(i)), rough = RangeNoise::kRoughness / std::max(0.05, cosine);
+    const double sigma = normals.noise.sigmaAt(points.range(i)),
+                 rough = RangeNoise::kRoughness / std::max(0.05, cosine);
     return sigma * sigma + rough * rough;
   }
   double cosine(GridIndex i) const {
-    return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i) : 0.5;
+    return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i)
+                        : 0.5;
   }
-  double weight(GridIndex i) const { return double(points.range(i)) * points.range(i) / variance(i, cosine(i)); }
+  double weight(GridIndex i) const {
+    return double(points.range(i)) * points.range(i) / variance(i, cosine(i));
+  }
   /// Range error against a plane in standard deviations; infinite beyond the plane distance.
   double error(GridIndex i, const RangePlane& plane) const {
     const Eigen::Vector3d at = q(i);
@@ -50,9 +55,11 @@ struct Neurons {
 
 /// Labels the patches: within each block, neighbouring neurons whose normals and local planes agree.
 class Patches {
- public:
+public:
   Patches(const Neurons& neurons, int blockLines, int blockBeams)
-      : neurons_(neurons), blockLines_(blockLines), blockBeams_(blockBeams),
+      : neurons_(neurons),
+        blockLines_(blockLines),
+        blockBeams_(blockBeams),
         cosAgree_(static_cast<float>(std::cos(degToRad(std::min(10.0, neurons.params.angleToleranceDeg))))) {}
 
   Grid<std::int32_t> label(PatchGraph& graph, const Execution& execution) const {
@@ -74,7 +81,8 @@ class Patches {
               const GridIndex at = stack.back();
               stack.pop_back();
               sums.add(neurons_.q(at), neurons_.weight(at));
-              for (const GridIndex& d : {kLatticeDirections[0], kLatticeDirections[2], kLatticeDirections[4], kLatticeDirections[6]}) {
+              for (const GridIndex& d : {kLatticeDirections[0], kLatticeDirections[2], kLatticeDirections[4],
+                                         kLatticeDirections[6]}) {
                 const GridIndex to{at.row + d.row, at.col + d.col};
                 if (to.row < i0 || to.row >= i1 || to.col < j0 || to.col >= j1) continue;
                 if (patch(to) != kNoRegion || !neurons_.hasNormal(to) || !agree(at, to)) continue;
@@ -89,7 +97,7 @@ class Patches {
     return patch;
   }
 
- private:
+private:
   bool agree(GridIndex a, GridIndex b) const {
     const Eigen::Vector3f &n1 = neurons_.normals.normals(a), &n2 = neurons_.normals.normals(b);
     if (n1.dot(n2) < cosAgree_) return false;
@@ -104,25 +112,30 @@ class Patches {
   float cosAgree_;
 };
 
-// Patches touch where their neurons are lattice neighbours, or stand two apart over neurons no window could fit (a crease between
-// them is weighed by the join itself).
+// Patches touch where their neurons are lattice neighbours, or stand two apart over neurons no window could
+// fit (a crease between them is weighed by the join itself).
 void connectPatches(const Grid<std::int32_t>& patch, PatchGraph& graph) {
   for (int i = 0; i < patch.rows(); ++i)
     for (int j = 0; j < patch.cols(); ++j) {
       const std::int32_t a = patch({i, j});
       if (a == kNoRegion) continue;
       for (int reach : {1, 2}) {
-        if (i + reach < patch.rows() && patch({i + reach, j}) != kNoRegion) graph.connect(a, patch({i + reach, j}));
-        if (j + reach < patch.cols() && patch({i, j + reach}) != kNoRegion) graph.connect(a, patch({i, j + reach}));
+        if (i + reach < patch.rows() && patch({i + reach, j}) != kNoRegion)
+          graph.connect(a, patch({i + reach, j}));
+        if (j + reach < patch.cols() && patch({i, j + reach}) != kNoRegion)
+          graph.connect(a, patch({i, j + reach}));
       }
     }
 }
 
-/// The synchronous rule of borders: of the planes around, the one with the least error and the most neighbours.
+/// The synchronous rule of borders: of the planes around, the one with the least error and the most
+/// neighbours.
 class BorderRule {
- public:
+public:
   BorderRule(const Neurons& neurons, const std::vector<RangePlane>& planes, const std::vector<char>& alive)
-      : neurons_(neurons), planes_(planes), alive_(alive),
+      : neurons_(neurons),
+        planes_(planes),
+        alive_(alive),
         cosParallel_(std::cos(degToRad(std::max(20.0, neurons.params.angleToleranceDeg)))) {}
 
   std::int32_t operator()(GridIndex at, const Grid<std::int32_t>& now) const {
@@ -136,7 +149,10 @@ class BorderRule {
       if (!now.contains(from)) continue;
       const std::int32_t l = now(from);
       if (l == kNoRegion) continue;
-      if (l == own) { ++ownVotes; continue; }
+      if (l == own) {
+        ++ownVotes;
+        continue;
+      }
       int k = 0;
       while (k < kinds && label[static_cast<size_t>(k)] != l) ++k;
       if (k == kinds) label[static_cast<size_t>(kinds++)] = l, votes[static_cast<size_t>(k)] = 0;
@@ -158,7 +174,7 @@ class BorderRule {
     return best;
   }
 
- private:
+private:
   // Half a squared error in σ, less what agreeing neighbours are worth.
   static constexpr double kNone = 0.5 * kFarSigmas * kFarSigmas;
   static constexpr double kVote = 0.6;
@@ -167,7 +183,9 @@ class BorderRule {
     const RangePlane& plane = planes_[static_cast<size_t>(label)];
     const double error = neurons_.error(at, plane);
     if (!(error <= kFarSigmas)) return kNone;
-    if (neurons_.hasNormal(at) && neurons_.normals.normals(at).cast<double>().dot(plane.normal()) < cosParallel_) return kNone;
+    if (neurons_.hasNormal(at) &&
+        neurons_.normals.normals(at).cast<double>().dot(plane.normal()) < cosParallel_)
+      return kNone;
     return 0.5 * error * error - kVote * votes;
   }
 
@@ -204,17 +222,18 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
   const LatticeSteps::Step middle = steps.at({points.range.rows() / 2, points.range.cols() / 2});
   // Blocks about square in space.
   const int blockBeams = 4;
-  const int blockLines = std::clamp(static_cast<int>(std::lround(blockBeams * middle.beam / std::max(middle.line, 1e-6f))), 2, 10);
+  const int blockLines = std::clamp(
+      static_cast<int>(std::lround(blockBeams * middle.beam / std::max(middle.line, 1e-6f))), 2, 10);
 
   PatchGraph graph;
   const Grid<std::int32_t> patch = Patches(neurons, blockLines, blockBeams).label(graph, execution);
   connectPatches(patch, graph);
   PatchGraph::Rules rules;
   rules.chiSquare = kChiSquare3;
-  // A tenth of the plane distance is taken for the unevenness of walls and floors, in units of the noise.
-  const double uneven = 0.1 * params.planeDistance, sigma = std::max(1e-4, std::hypot(normals.noise.overall(), RangeNoise::kRoughness));
+  // A third of the plane distance is taken for the unevenness of walls and floors, in units of the noise.
+  const double uneven = 0.3 * params.planeDistance,
+               sigma = std::max(1e-4, std::hypot(normals.noise.overall(), RangeNoise::kRoughness));
   rules.flatness = (uneven / sigma) * (uneven / sigma);
-  rules.cosLargestAngle = std::cos(degToRad(params.angleToleranceDeg));
   graph.joinAll(rules, execution);
 
   // Regions from joined patches that are worth refining.
@@ -240,11 +259,13 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
     refit(neurons, regions);
   };
   settleBorders(2 * blockLines);
-  for (size_t l = 0; l < alive.size(); ++l) alive[l] = regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
+  for (size_t l = 0; l < alive.size(); ++l)
+    alive[l] = regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
   settleBorders(2 * blockLines);
   for (size_t o = 0; o < regions.region.size(); ++o) {
     std::int32_t& l = regions.region[o];
-    if (l != kNoRegion && regions.size[static_cast<size_t>(l)] < static_cast<size_t>(params.minPlanePoints)) l = kNoRegion;
+    if (l != kNoRegion && regions.size[static_cast<size_t>(l)] < static_cast<size_t>(params.minPlanePoints))
+      l = kNoRegion;
   }
   refit(neurons, regions);
   return regions;

@@ -45,7 +45,8 @@ Overlaps overlapsOf(const ScoreInput& input, size_t minTruthPixels) {
 }
 
 /// One region on one side in two or more pieces on the other.
-std::optional<Instance> inPieces(RegionVerdict verdict, Label whole, size_t wholeSize, const std::map<Label, size_t>& shared,
+std::optional<Instance> inPieces(RegionVerdict verdict, Label whole, size_t wholeSize,
+                                 const std::map<Label, size_t>& shared,
                                  const std::map<Label, size_t>& pieceSizes, double overlap) {
   std::vector<Label> pieces;
   size_t sum = 0;
@@ -59,7 +60,8 @@ std::optional<Instance> inPieces(RegionVerdict verdict, Label whole, size_t whol
   }
   const double covered = static_cast<double>(sum) / static_cast<double>(wholeSize);
   if (pieces.size() < 2 || covered < overlap) return std::nullopt;
-  Instance instance{verdict, (shares / static_cast<double>(pieces.size()) + covered) / 2, {whole}, std::move(pieces)};
+  Instance instance{
+      verdict, (shares / static_cast<double>(pieces.size()) + covered) / 2, {whole}, std::move(pieces)};
   if (verdict == RegionVerdict::Under) std::swap(instance.truth, instance.found);
   return instance;
 }
@@ -78,7 +80,8 @@ std::vector<Instance> instancesOf(const Overlaps& overlaps, double overlap) {
       instances.push_back(std::move(*over));
   }
   for (const auto& [found, shared] : overlaps.byFound)
-    if (auto under = inPieces(RegionVerdict::Under, found, overlaps.foundSize.at(found), shared, overlaps.truthSize, overlap))
+    if (auto under = inPieces(RegionVerdict::Under, found, overlaps.foundSize.at(found), shared,
+                              overlaps.truthSize, overlap))
       instances.push_back(std::move(*under));
   std::sort(instances.begin(), instances.end(), [](const Instance& a, const Instance& b) {
     return std::tie(b.score, a.verdict, a.truth, a.found) < std::tie(a.score, b.verdict, b.truth, b.found);
@@ -87,7 +90,8 @@ std::vector<Instance> instancesOf(const Overlaps& overlaps, double overlap) {
 }
 
 /// Total least squares over the finite points; nothing below three of them.
-std::map<Label, Eigen::Vector3d> fittedNormals(std::span<const Label> labels, std::span<const Eigen::Vector3f> points) {
+std::map<Label, Eigen::Vector3d> fittedNormals(std::span<const Label> labels,
+                                               std::span<const Eigen::Vector3f> points) {
   struct Sums {
     size_t count = 0;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -110,7 +114,8 @@ std::map<Label, Eigen::Vector3d> fittedNormals(std::span<const Label> labels, st
   return normals;
 }
 
-std::map<Label, Eigen::Vector3d> meanNormals(std::span<const Label> labels, std::span<const Eigen::Vector3f> normals) {
+std::map<Label, Eigen::Vector3d> meanNormals(std::span<const Label> labels,
+                                             std::span<const Eigen::Vector3f> normals) {
   std::map<Label, Eigen::Vector3d> sums;
   for (size_t i = 0; i < normals.size(); ++i) {
     if (labels[i] == 0 || !normals[i].allFinite()) continue;
@@ -121,7 +126,9 @@ std::map<Label, Eigen::Vector3d> meanNormals(std::span<const Label> labels, std:
   return sums;
 }
 
-double angleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return radToDeg(std::atan2(a.cross(b).norm(), a.dot(b))); }
+double angleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return radToDeg(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
 
 /// The value below which `share` of the sorted values lie (nearest rank).
 double quantile(const std::vector<double>& sorted, double share) {
@@ -135,7 +142,8 @@ void scorePlaneAngles(const ScoreInput& input, SegmentationScore& score) {
   found.merge(fittedNormals(input.foundLabels, input.foundPoints));
   found.merge(meanNormals(input.foundLabels, input.foundNormals));
   std::map<Label, Eigen::Vector3d> truth = meanNormals(input.truthLabels, input.truthNormals);
-  truth.merge(fittedNormals(input.truthLabels, input.truthPoints.empty() ? input.foundPoints : input.truthPoints));
+  truth.merge(
+      fittedNormals(input.truthLabels, input.truthPoints.empty() ? input.foundPoints : input.truthPoints));
   std::vector<double> angles;
   double sum = 0;
   for (CorrectPair& pair : score.pairs) {
@@ -176,9 +184,11 @@ void scoreNormals(const ScoreInput& input, SegmentationScore& score) {
 
 SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions& options) {
   require(options.overlap > 0.5 && options.overlap <= 1, "scoreSegmentation: overlap must be in (0.5, 1]");
-  require(input.foundLabels.size() == input.truthLabels.size(), "scoreSegmentation: different numbers of pixels");
+  require(input.foundLabels.size() == input.truthLabels.size(),
+          "scoreSegmentation: different numbers of pixels");
   for (const auto& vectors : {input.foundNormals, input.truthNormals, input.foundPoints, input.truthPoints})
-    require(vectors.empty() || vectors.size() == input.truthLabels.size(), "scoreSegmentation: different numbers of pixels");
+    require(vectors.empty() || vectors.size() == input.truthLabels.size(),
+            "scoreSegmentation: different numbers of pixels");
 
   const Overlaps overlaps = overlapsOf(input, options.minTruthPixels);
   SegmentationScore score;
@@ -186,8 +196,10 @@ SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions&
   score.foundRegions = overlaps.foundSize.size();
   for (const Instance& instance : instancesOf(overlaps, options.overlap)) {
     // best first: an instance whose region stands in a better one is void
-    const bool taken = std::any_of(instance.truth.begin(), instance.truth.end(), [&](Label l) { return score.ofTruth.contains(l); }) ||
-                       std::any_of(instance.found.begin(), instance.found.end(), [&](Label l) { return score.ofFound.contains(l); });
+    const bool taken = std::any_of(instance.truth.begin(), instance.truth.end(),
+                                   [&](Label l) { return score.ofTruth.contains(l); }) ||
+                       std::any_of(instance.found.begin(), instance.found.end(),
+                                   [&](Label l) { return score.ofFound.contains(l); });
     if (taken) continue;
     for (const Label label : instance.truth) score.ofTruth[label] = instance.verdict;
     for (const Label label : instance.found) score.ofFound[label] = instance.verdict;
@@ -198,7 +210,8 @@ SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions&
     const Label truth = instance.truth.front(), found = instance.found.front();
     score.pairs.push_back({truth, found, overlaps.byTruth.at(truth).at(found), {}});
   }
-  std::sort(score.pairs.begin(), score.pairs.end(), [](const auto& a, const auto& b) { return a.truth < b.truth; });
+  std::sort(score.pairs.begin(), score.pairs.end(),
+            [](const auto& a, const auto& b) { return a.truth < b.truth; });
 
   size_t truthPixels = 0, correctPixels = 0;
   for (const auto& [truth, size] : overlaps.truthSize) {

@@ -11,21 +11,22 @@
 
 namespace stratascope {
 
-/// A segmentation beside the truth, pixel by pixel in the same order (lattice order, but neighbourhood plays no part).
-/// Labels are needed; every other span may be empty, and what depends on it is then absent from the score.
-/// All spans that are not empty have the same length; else std::logic_error.
+/// A segmentation beside the truth, pixel by pixel in the same order (lattice order, but neighbourhood plays
+/// no part). Labels are needed; every other span may be empty, and what depends on it is then absent from the
+/// score. All spans that are not empty have the same length; else std::logic_error.
 struct ScoreInput {
-  std::span<const std::uint32_t> foundLabels;  ///< 0 = no plane
-  std::span<const std::uint32_t> truthLabels;  ///< >= 10 a plane, below none
+  std::span<const std::uint32_t> foundLabels;                   ///< 0 = no plane
+  std::span<const std::uint32_t> truthLabels;                   ///< >= 10 a plane, below none
   std::span<const Eigen::Vector3f> foundNormals, truthNormals;  ///< unit, toward the sensor; NaN = none
   std::span<const Eigen::Vector3f> foundPoints, truthPoints;    ///< NaN = none
-  /// Normals of found planes, if known. Otherwise, in this order: fitted to foundPoints, mean of foundNormals.
-  /// True planes: mean of truthNormals, or else fitted to truthPoints, or to foundPoints where truth has labels only.
+  /// Normals of found planes, if known. Otherwise, in this order: fitted to foundPoints, mean of
+  /// foundNormals. True planes: mean of truthNormals, or else fitted to truthPoints, or to foundPoints where
+  /// truth has labels only.
   std::map<std::uint32_t, Eigen::Vector3d> foundPlaneNormals;
 };
 
 struct ScoreOptions {
-  double overlap = 0.8;           ///< Hoover's tolerance T, in (0.5, 1]; else std::logic_error
+  double overlap = 0.8;              ///< Hoover's tolerance T, in (0.5, 1]; else std::logic_error
   std::size_t minTruthPixels = 100;  ///< smaller true regions are not counted, neither as found nor as missed
 };
 
@@ -34,27 +35,30 @@ enum class RegionVerdict : std::uint8_t { Correct, Over, Under, Missed, Noise };
 
 struct CorrectPair {
   std::uint32_t truth = 0, found = 0;
-  std::size_t overlap = 0;                ///< pixels in both
-  std::optional<double> angleErrorDeg;    ///< between the planes, 0…90; absent without normals or points
+  std::size_t overlap = 0;              ///< pixels in both
+  std::optional<double> angleErrorDeg;  ///< between the planes, 0…90; absent without normals or points
 };
 
-/// Counts of Hoover et al., "An experimental comparison of range image segmentation algorithms" (PAMI 1996). With O pixels
-/// shared, |M| in a found region, |G| in a true one:
+/// Counts of Hoover et al., "An experimental comparison of range image segmentation algorithms" (PAMI 1996).
+/// With O pixels shared, |M| in a found region, |G| in a true one:
 ///   correct  O >= T|M| and O >= T|G|
 ///   over     one G, two or more M: every O >= T|M|, and their sum >= T|G|
 ///   under    one M, two or more G: every O >= T|G|, and their sum >= T|M|
 ///   missed   G in none of these; noise: M in none of these
-/// A region that could stand in several stands in the one with the highest score, the mean of the two overlap fractions (over and
-/// under: of the mean share of the pieces and the share of the sum); on equal scores correct before over before under.
+/// A region that could stand in several stands in the one with the highest score, the mean of the two overlap
+/// fractions (over and under: of the mean share of the pieces and the share of the sum); on equal scores
+/// correct before over before under.
 struct SegmentationScore {
   std::size_t truthRegions = 0, foundRegions = 0;
   std::size_t correct = 0;
-  std::size_t over = 0;    ///< true regions found in pieces
-  std::size_t under = 0;   ///< found regions that join true ones
-  std::size_t missed = 0;  ///< true regions
-  std::size_t noise = 0;   ///< found regions
-  std::size_t noiseOutside = 0;  ///< of these, regions with more than half their pixels on truth that is not counted (small, curved, nothing)
-  double share = 0;        ///< pixels of correctly found true regions / pixels of all true regions; 0 without regions
+  std::size_t over = 0;          ///< true regions found in pieces
+  std::size_t under = 0;         ///< found regions that join true ones
+  std::size_t missed = 0;        ///< true regions
+  std::size_t noise = 0;         ///< found regions
+  std::size_t noiseOutside = 0;  ///< of these, regions with more than half their pixels on truth that is not
+                                 ///< counted (small, curved, nothing)
+  double share =
+      0;  ///< pixels of correctly found true regions / pixels of all true regions; 0 without regions
   std::vector<CorrectPair> pairs;                  ///< by truth label
   std::map<std::uint32_t, RegionVerdict> ofTruth;  ///< counted true regions
   std::map<std::uint32_t, RegionVerdict> ofFound;
@@ -62,11 +66,13 @@ struct SegmentationScore {
   /// Over correct pairs whose angle is known.
   std::optional<double> planeAngleMeanDeg, planeAngleMedianDeg, planeAngleMaxDeg;
 
-  /// Over pixels with a truth label >= 10 and a truth normal; angles 0…180, since both sides turn normals to the sensor.
-  std::size_t normalPixels = 0;       ///< such pixels
-  std::size_t normalPixelsFound = 0;  ///< of these, with a found normal
+  /// Over pixels with a truth label >= 10 and a truth normal; angles 0…180, since both sides turn normals to
+  /// the sensor.
+  std::size_t normalPixels = 0;                        ///< such pixels
+  std::size_t normalPixelsFound = 0;                   ///< of these, with a found normal
   std::optional<double> normalMedianDeg, normal90Deg;  ///< over normalPixelsFound
-  std::optional<double> normalWithin10;  ///< share of normalPixels within 10°; without a found normal = not within
+  std::optional<double>
+      normalWithin10;  ///< share of normalPixels within 10°; without a found normal = not within
 };
 
 SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions& options = {});

@@ -17,6 +17,7 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   NoiseModel noise = NoiseModel::Lms200;
   double sigma = 0.005;  ///< standard deviation of the range noise, metres
+  double systematic = 1;  ///< scales the systematic part; 0 = random noise only
 };
 
 /// A simulated scan with its truth. Points in the map (= scene) frame, the sensor's pose in scan.pose.scan_T_sensor.

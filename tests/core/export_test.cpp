@@ -75,7 +75,9 @@ std::vector<std::vector<std::string>> table(const std::string& text, char separa
   return rows;
 }
 
-Eigen::Vector3d toVector(const json& j) { return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()}; }
+Eigen::Vector3d toVector(const json& j) {
+  return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()};
+}
 
 TEST(CloudPcd, KeepsTheLatticeAndEveryValue) {
   const Snapshot s = test::smallSnapshot();
@@ -129,8 +131,8 @@ TEST(CloudPcd, UnorderedScanKeepsEveryPointInTheFilesOrder) {
   for (size_t i = 0; i < 7; ++i) {
     const int neuron = scan.scan->neuronOfPoint[i];
     expectSame(pcd.points[i].point, (*scan.cloud)[i]);
-    expectSame(pcd.points[i].normal,
-               neuron < 0 ? Eigen::Vector3f::Constant(kNaNf) : scan.normals->normals[static_cast<size_t>(neuron)]);
+    expectSame(pcd.points[i].normal, neuron < 0 ? Eigen::Vector3f::Constant(kNaNf)
+                                                : scan.normals->normals[static_cast<size_t>(neuron)]);
     EXPECT_EQ(pcd.points[i].surfaceClass,
               neuron < 0 ? 0 : static_cast<int>(scan.classes->classes[static_cast<size_t>(neuron)]));
     EXPECT_EQ(pcd.points[i].label, (*scan.cloudLabels)[i]);
@@ -167,7 +169,8 @@ TEST(PlanesJson, HoldsEveryValue) {
     EXPECT_EQ(toVector(list[i].at("centroid")), planes[i].centroid);
     EXPECT_EQ(list[i].at("area").get<double>(), planes[i].area);
     ASSERT_EQ(list[i].at("hull").size(), planes[i].hull.size());
-    for (size_t k = 0; k < planes[i].hull.size(); ++k) EXPECT_EQ(toVector(list[i]["hull"][k]), planes[i].hull[k]);
+    for (size_t k = 0; k < planes[i].hull.size(); ++k)
+      EXPECT_EQ(toVector(list[i]["hull"][k]), planes[i].hull[k]);
     EXPECT_EQ(list[i].at("scan"), 0);
   }
   EXPECT_EQ(list[0].at("class"), "horizontal");
@@ -207,8 +210,11 @@ TEST(HeightMapAsc, ReadsBackFromNorthToSouth) {
   const auto rows = table(heightMapAsc(map), ' ');
   ASSERT_EQ(rows.size(), 6u + static_cast<size_t>(map.frame.rows));
   const std::vector<std::vector<std::string>> header(rows.begin(), rows.begin() + 6);
-  EXPECT_EQ(header, (std::vector<std::vector<std::string>>{{"ncols", "4"}, {"nrows", "4"}, {"xllcorner", "-0.5"},
-                                                           {"yllcorner", "-1"}, {"cellsize", "0.5"},
+  EXPECT_EQ(header, (std::vector<std::vector<std::string>>{{"ncols", "4"},
+                                                           {"nrows", "4"},
+                                                           {"xllcorner", "-0.5"},
+                                                           {"yllcorner", "-1"},
+                                                           {"cellsize", "0.5"},
                                                            {"NODATA_value", "-9999"}}));
   int seen = 0;
   for (int row = 0; row < map.frame.rows; ++row) {

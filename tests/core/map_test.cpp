@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "map/maps.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <set>
 
 #include "base/units.h"
+#include "map/maps.h"
 #include "support/map_oracle.h"
 
 namespace stratascope {
@@ -26,7 +25,8 @@ struct Cloud {
   MapInput input() const { return {points, labels}; }
 };
 
-/// Everything that makes a map hard: both signs, points on cell borders, equal heights, −0, missing points, full and empty cells.
+/// Everything that makes a map hard: both signs, points on cell borders, equal heights, −0, missing points,
+/// full and empty cells.
 Cloud randomCloud(unsigned seed, double cell) {
   std::mt19937 random(seed);
   auto upTo = [&](unsigned n) { return static_cast<int>(random() % n); };
@@ -36,7 +36,8 @@ Cloud randomCloud(unsigned seed, double cell) {
   const double spread = seed % 3 == 2 ? 30 : 1;  // over many columns, or many points to a cell
   for (int i = 0; i < count; ++i) {
     Vector3f p(static_cast<float>((upTo(4000) - 2000) * spread * cell * 0.002),
-               static_cast<float>((upTo(4000) - 1000) * cell * 0.0015), static_cast<float>((upTo(3000) - 1200) * 1e-3));
+               static_cast<float>((upTo(4000) - 1000) * cell * 0.0015),
+               static_cast<float>((upTo(3000) - 1200) * 1e-3));
     if (upTo(4) == 0) p.x() = static_cast<float>(std::round(p.x() / cell) * cell);
     if (upTo(4) == 0) p.y() = static_cast<float>(std::round(p.y() / cell) * cell);
     if (rounded) p.z() = std::round(p.z() * 20) / 20;
@@ -63,7 +64,8 @@ Points column(const std::vector<float>& heights) {
   return points;
 }
 
-Records recordsOf(const std::vector<float>& heights, double epsilon, IntervalRule rule = IntervalRule::Linked) {
+Records recordsOf(const std::vector<float>& heights, double epsilon,
+                  IntervalRule rule = IntervalRule::Linked) {
   return buildIntervalMap(cellsOf(column(heights)), {epsilon, rule}).records;
 }
 
@@ -114,7 +116,8 @@ TEST(CellAssignment, WithoutValidPointIsAnError) {
 }
 
 TEST(CellAssignment, TooLargeWindowNamesExtentAndACellThatFits) {
-  for (const auto& [x, y] : {std::pair{2000.0f, 900.0f}, {90000.0f, 1.0f}, {3e7f, 2e8f}, {1e30f, 5.0f}, {1e12f, -1e12f}}) {
+  for (const auto& [x, y] :
+       {std::pair{2000.0f, 900.0f}, {90000.0f, 1.0f}, {3e7f, 2e8f}, {1e30f, 5.0f}, {1e12f, -1e12f}}) {
     const Points points{{0, 0, 0}, {x, y, 1}};
     const MapInput input{points, {}};
     const auto cells = assignCells({&input, 1}, {0.001});
@@ -190,8 +193,10 @@ TEST(IntervalMap, SixHeightsInAllOrders) {
 
 TEST(IntervalMap, PaperRuleTakesTheFirstRecordThatMatches) {
   // 0.3 is within 0.2 of both records: the one made first stretches, the other stays
-  EXPECT_EQ(recordsOf({0.4f, 0.15f, 0.3f}, 0.2, IntervalRule::Paper), (Records{{0.15f, 0.15f, 1}, {0.3f, 0.4f, 2}}));
-  EXPECT_EQ(recordsOf({0.15f, 0.4f, 0.3f}, 0.2, IntervalRule::Paper), (Records{{0.15f, 0.3f, 2}, {0.4f, 0.4f, 1}}));
+  EXPECT_EQ(recordsOf({0.4f, 0.15f, 0.3f}, 0.2, IntervalRule::Paper),
+            (Records{{0.15f, 0.15f, 1}, {0.3f, 0.4f, 2}}));
+  EXPECT_EQ(recordsOf({0.15f, 0.4f, 0.3f}, 0.2, IntervalRule::Paper),
+            (Records{{0.15f, 0.3f, 2}, {0.4f, 0.4f, 1}}));
   // 0.68 is within 0.2 of the record made first, but inside the other: inside goes before
   EXPECT_EQ(recordsOf({1.0f, 0.1f, 0.25f, 0.4f, 0.55f, 0.7f, 0.85f, 0.68f}, 0.2, IntervalRule::Paper),
             (Records{{0.1f, 0.7f, 6}, {0.85f, 1.0f, 2}}));
@@ -233,7 +238,8 @@ TEST(Maps, ScansLaidDownTogetherAreOneCloud) {
     ASSERT_TRUE(cellsApart && cellsWhole);
     EXPECT_EQ(cellsApart->source, cellsWhole->source);
     for (const IntervalRule rule : {IntervalRule::Linked, IntervalRule::Paper}) {
-      const IntervalMap x = buildIntervalMap(*cellsApart, {0.1, rule}), y = buildIntervalMap(*cellsWhole, {0.1, rule});
+      const IntervalMap x = buildIntervalMap(*cellsApart, {0.1, rule}),
+                        y = buildIntervalMap(*cellsWhole, {0.1, rule});
       EXPECT_TRUE(sameMap(x, y));
       EXPECT_EQ(buildObjectMap(*cellsApart, x, apart).labels, buildObjectMap(*cellsWhole, y, whole).labels);
     }

@@ -27,12 +27,13 @@ std::string contentOf(const fs::path& path) {
 std::map<std::string, std::string> treeOf(const fs::path& directory) {
   std::map<std::string, std::string> tree;
   for (const auto& entry : fs::recursive_directory_iterator(directory))
-    tree[fs::relative(entry.path(), directory).string()] = entry.is_directory() ? "/" : contentOf(entry.path());
+    tree[fs::relative(entry.path(), directory).string()] =
+        entry.is_directory() ? "/" : contentOf(entry.path());
   return tree;
 }
 
 class ExportResults : public testing::Test {
- protected:
+protected:
   void SetUp() override {
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
     root_ = fs::temp_directory_path() / ("stratascope_export_" + test + "_" + std::to_string(::getpid()));
@@ -44,7 +45,8 @@ class ExportResults : public testing::Test {
   fs::path root_;
 };
 
-const std::vector<std::string> kNames{"cloud.pcd", "edges.json", "height_map.asc", "intervals.csv", "planes.json", "run.json"};
+const std::vector<std::string> kNames{"cloud.pcd",     "edges.json",  "height_map.asc",
+                                      "intervals.csv", "planes.json", "run.json"};
 
 TEST_F(ExportResults, RunJsonSaysWhereEverythingCameFrom) {
   std::ofstream(path("scan.bin"), std::ios::binary) << "abc";
@@ -78,7 +80,8 @@ TEST_F(ExportResults, RunJsonSaysWhereEverythingCameFrom) {
   EXPECT_EQ(run.at("parameters").at("epsilon"), 0.2);
   EXPECT_EQ(run.at("parameters").at("cell"), 0.5);
   EXPECT_EQ(run.at("points"), 5);
-  EXPECT_EQ(run.at("counts"), json::parse(R"({"scans": 2, "planes": 4, "edges": 4, "cells": 3, "records": 4})"));
+  EXPECT_EQ(run.at("counts"),
+            json::parse(R"({"scans": 2, "planes": 4, "edges": 4, "cells": 3, "records": 4})"));
   for (int i = 0; i < kStageCount; ++i)
     EXPECT_EQ(run.at("seconds").at(stageName(static_cast<Stage>(i))), 0.25 * (i + 1));
   EXPECT_GT(run.at("peak_memory_bytes").get<double>(), 1e6);

@@ -16,10 +16,13 @@ void sortRecords(std::vector<HeightInterval>& records) {
   });
 }
 
-double distance(float a, float b) { return std::abs(static_cast<double>(a) - static_cast<double>(b)); }
+double distance(float a, float b) {
+  return std::abs(static_cast<double>(a) - static_cast<double>(b));
+}
 
-void compare(const OracleCells& oracle, const GridParams& grid, const IntervalParams& params, const CellAssignment& cells,
-             const HeightMap& heights, const IntervalMap& intervals, const ObjectMap& objects) {
+void compare(const OracleCells& oracle, const GridParams& grid, const IntervalParams& params,
+             const CellAssignment& cells, const HeightMap& heights, const IntervalMap& intervals,
+             const ObjectMap& objects) {
   ASSERT_FALSE(oracle.empty());
   long kMin = oracle.begin()->first.first, kMax = kMin, lMin = oracle.begin()->first.second, lMax = lMin;
   for (const auto& [kl, points] : oracle) {
@@ -148,10 +151,12 @@ std::set<PlaneLabel> oracleObjects(const std::vector<OraclePoint>& points, const
   return labels;
 }
 
-void expectMapsEqualOracle(std::span<const MapInput> inputs, const GridParams& grid, const IntervalParams& intervals) {
+void expectMapsEqualOracle(std::span<const MapInput> inputs, const GridParams& grid,
+                           const IntervalParams& intervals) {
   const OracleCells oracle = oracleCells(inputs, grid.cell);
   for (const int threads : {1, 2, 0}) {
-    SCOPED_TRACE(testing::Message() << threads << " threads, cell " << grid.cell << ", epsilon " << intervals.epsilon);
+    SCOPED_TRACE(testing::Message() << threads << " threads, cell " << grid.cell << ", epsilon "
+                                    << intervals.epsilon);
     const Execution execution{threads, {}};
     const Expected<CellAssignment> cells = assignCells(inputs, grid, execution);
     ASSERT_TRUE(cells) << cells.error().message();
@@ -161,7 +166,8 @@ void expectMapsEqualOracle(std::span<const MapInput> inputs, const GridParams& g
         ASSERT_LT(std::make_pair(cells->heights[i], cells->source[i]),
                   std::make_pair(cells->heights[i + 1], cells->source[i + 1]));
     const IntervalMap map = buildIntervalMap(*cells, intervals, execution);
-    compare(oracle, grid, intervals, *cells, buildHeightMap(*cells), map, buildObjectMap(*cells, map, inputs));
+    compare(oracle, grid, intervals, *cells, buildHeightMap(*cells), map,
+            buildObjectMap(*cells, map, inputs));
     if (testing::Test::HasFatalFailure()) return;
   }
 }

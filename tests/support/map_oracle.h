@@ -19,7 +19,8 @@ struct OraclePoint {
 };
 using OracleCells = std::map<std::pair<long, long>, std::vector<OraclePoint>>;
 
-/// The definitions of the maps written down as plainly as possible: slow, obvious, and sharing no code with core/map.
+/// The definitions of the maps written down as plainly as possible: slow, obvious, and sharing no code with
+/// core/map.
 OracleCells oracleCells(std::span<const MapInput> inputs, double cell);
 /// Heights linked by brute force: a cluster takes in every height within ε of a member until none is left.
 std::vector<HeightInterval> oracleLinked(const std::vector<OraclePoint>& points, double epsilon);
@@ -28,6 +29,7 @@ std::vector<HeightInterval> oraclePaper(const std::vector<OraclePoint>& points, 
 std::set<PlaneLabel> oracleObjects(const std::vector<OraclePoint>& points, const HeightInterval& record);
 
 /// Builds all maps and compares every cell and every record with the oracle, for one and several threads.
-void expectMapsEqualOracle(std::span<const MapInput> inputs, const GridParams& grid, const IntervalParams& intervals);
+void expectMapsEqualOracle(std::span<const MapInput> inputs, const GridParams& grid,
+                           const IntervalParams& intervals);
 
 }  // namespace stratascope::test

@@ -51,8 +51,9 @@ ScanProducts products(const ScanPtr& scan) {
   normals->normals = grid<Vector3f>({{0, 0, 1}, {0, 0.6f, 0.8f}, kMiss, {-1, 0, 0}, kMiss, {0, -1, 0}});
   p.normals = normals;
   auto classes = std::make_shared<ClassImage>();
-  classes->classes = grid<SurfaceClass>({SurfaceClass::Horizontal, SurfaceClass::ConcaveEdge, SurfaceClass::Unknown,
-                                         SurfaceClass::Facing, SurfaceClass::JumpEdge, SurfaceClass::Side});
+  classes->classes =
+      grid<SurfaceClass>({SurfaceClass::Horizontal, SurfaceClass::ConcaveEdge, SurfaceClass::Unknown,
+                          SurfaceClass::Facing, SurfaceClass::JumpEdge, SurfaceClass::Side});
   p.classes = classes;
   auto planes = std::make_shared<PlaneImage>();
   planes->labels = grid<PlaneLabel>({1, 1, 0, 4000000004u, 0, 1});
@@ -106,7 +107,8 @@ ScanProducts smallUnorderedScan() {
   scan->neuronOfPoint = {5, -1, 0, -1, 3, 1, 4};
   ScanProducts p = products(scan);
   p.cloud = std::make_shared<std::vector<Vector3f>>(scan->cloud);
-  p.cloudLabels = std::make_shared<std::vector<PlaneLabel>>(std::vector<PlaneLabel>{1, 0, 1, 1, 4000000004u, 1, 0});
+  p.cloudLabels =
+      std::make_shared<std::vector<PlaneLabel>>(std::vector<PlaneLabel>{1, 0, 1, 1, 4000000004u, 1, 0});
   return p;
 }
 

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scan/scan_lattice.h"
+
+namespace stratascope {
+
+/// What a format's reader makes of a file's bytes; scan_io turns it into a Scan, the same way for every format.
+struct RawCloud {
+  std::string format;
+  std::vector<std::string> fields;
+  std::vector<std::string> notes;
+  /// In the file's order, or row by row if there is a lattice; all three NaN where nothing came back.
+  std::vector<Eigen::Vector3f> points;
+  int lines = 0;  ///< 0 = no lattice
+  int beams = 0;
+  LatticeOrigin latticeOrigin = LatticeOrigin::Native;
+  std::optional<Eigen::Isometry3d> scan_T_sensor;  ///< if the file says
+  std::optional<Eigen::Isometry3d> map_T_scan;     ///< if the file says
+  double ownBodyRange = 0;
+  bool wideCoordinates = false;  ///< the file's coordinates hold more digits than a float
+};
+
+/// Beyond this a coordinate in metres is no measurement but a damaged or misread file.
+inline constexpr double kMaxCoordinate = 1e9;
+inline bool isAbsurdCoordinate(double metres) { return std::isfinite(metres) && std::abs(metres) > kMaxCoordinate; }
+
+}  // namespace stratascope
