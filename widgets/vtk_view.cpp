@@ -31,7 +31,6 @@ namespace {
 class UprightStyle : public vtkInteractorStyleTrackballCamera {
  public:
   static UprightStyle* New();
-  vtkTypeMacro(UprightStyle, vtkInteractorStyleTrackballCamera);
 
   void Rotate() override {
     if (!CurrentRenderer) return;
