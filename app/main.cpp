@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QApplication>
 #include <QFile>
-#include <QIcon>
 #include <CLI/CLI.hpp>
 #include <clocale>
 #include <cstdio>
@@ -54,7 +53,6 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication app(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has just taken the user's
   if (const QString problem = openGlProblem(); !problem.isEmpty()) return complain(problem.toStdString(), 1);
-  app.setWindowIcon(QIcon(":/icons/stratascope.svg"));
   applyTheme(arguments.theme == "dark" ? Theme::Dark : arguments.theme == "light" ? Theme::Light : Theme::System);
 
   const bool batch = !arguments.batch.empty();

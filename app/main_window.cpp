@@ -25,9 +25,14 @@
 #include "widgets/status_strip.h"
 #include "widgets/view_area.h"
 
+// A static library's resources are left out unless asked for; the macro must stand outside any namespace.
+static void initResources() { Q_INIT_RESOURCE(stratascope); }
+
 namespace stratascope {
 
 MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
+  initResources();
+  setWindowIcon(QIcon(QStringLiteral(":/icons/stratascope.svg")));
   setWindowTitle(tr("Stratascope"));
   setAcceptDrops(true);
   setDockNestingEnabled(true);

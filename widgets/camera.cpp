@@ -17,7 +17,7 @@ void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vect
   Eigen::Vector3d look = ahead, up = Eigen::Vector3d::UnitZ();
   switch (direction) {
     // Behind the sensor, a little to its right, from above.
-    case ViewDirection::Iso: look = (ahead + 0.55 * left - 0.85 * Eigen::Vector3d::UnitZ()).normalized(); break;
+    case ViewDirection::Iso: look = (ahead + 0.55 * left - 1.1 * Eigen::Vector3d::UnitZ()).normalized(); break;
     case ViewDirection::Top:
       look = -Eigen::Vector3d::UnitZ();
       up = ahead;

@@ -109,9 +109,8 @@ PlaneTable::PlaneTable(Selection& selection, QWidget* parent) : QTableView(paren
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
   horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  horizontalHeader()->setSectionResizeMode(kNumber, QHeaderView::ResizeToContents);
-  horizontalHeader()->setSectionResizeMode(kClass, QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(kClass, QHeaderView::Stretch);
   horizontalHeader()->setMinimumSectionSize(40);
 
   connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this, sorted](const QModelIndex& now) {
