@@ -133,9 +133,9 @@ void Actions::buildToolBar(CutControl& cut) {
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   for (QAction* action : {open_, reload_, export_, picture_}) bar->addAction(action);
   for (QAction* action : {open_, export_}) {
+    action->setIconText(action->text().remove('&').remove(QStringLiteral("…")));
     auto* button = static_cast<QToolButton*>(bar->widgetForAction(action));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setText(action->text().remove('&').remove(QStringLiteral("…")));
   }
   bar->addSeparator();
   bar->addAction(reset_);

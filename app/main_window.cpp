@@ -89,7 +89,7 @@ void MainWindow::buildDocks() {
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
   auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
-  resizeDocks({left, upper}, {290, 310}, Qt::Horizontal);
+  resizeDocks({left, upper}, {290, 345}, Qt::Horizontal);
   resizeDocks({upper, lower}, {400, 420}, Qt::Vertical);
 }
 

@@ -249,13 +249,16 @@ TEST_F(Window, ClickedCellIsTheFirstOneOnTheRay) {
       for (int i = 0; i < 60000 && !right; ++i, p += step) {
         const CellIndex c = frame.cellAt(p.x(), p.y());
         if (!frame.contains(c)) continue;
+        // Whether something lies between the heights of this step: a floor is thinner than any step.
+        const double upper = std::max(p.z(), p.z() + step.z()), lower = std::min(p.z(), p.z() + step.z());
         if (columns) {
           const double z = (*g.columnHeights)[frame.offset(c)];
-          if (!std::isnan(z) && p.z() <= z && p.z() >= std::min(z, g.base)) right = c;
+          if (!std::isnan(z) && lower <= z && upper >= std::min(z, g.base)) right = c;
         } else {
           for (const HeightInterval& r : g.snapshot->intervalMap->cell(c)) {
             const double top = std::min<double>(r.max, g.cut);
-            if (r.min <= g.cut && p.z() <= top && p.z() >= std::min<double>(r.min, top - minimumBoxThickness(frame))) right = c;
+            if (r.min <= g.cut && lower <= top && upper >= std::min<double>(r.min, top - minimumBoxThickness(frame)))
+              right = c;
           }
         }
       }
