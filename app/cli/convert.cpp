@@ -3,16 +3,15 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/param_options.h"
 #include "app/cli/progress.h"
-#include "app/cli/text_table.h"
 #include "io/scan_io.h"
-#include "scan/scan_summary.h"
 
 namespace stratascope::cli {
 namespace {
 
 struct ConvertOptions {
-  std::string scan, out;
+  std::string scan, out, pose;
 };
 
 /// Throws BadArguments unless a format that can be written has the extension of `path`.
@@ -30,19 +29,11 @@ void requireWritable(const std::string& path) {
 
 Status convert(const ConvertOptions& options) {
   requireWritable(options.out);
-  const auto scan = readScan(options.scan);
+  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose)});
   if (!scan) return scan.error();
   const Status written = writeScan(*scan, options.out);
   if (!written) return written;
   for (const std::string& sentence : scan->notes) note(sentence);
-  if (const Eigen::Isometry3d& pose = scan->pose.map_T_scan; !pose.isApprox(Eigen::Isometry3d::Identity())) {
-    const RollPitchYaw angles = rollPitchYaw(pose.linear());
-    std::string text;
-    for (const double value : {pose.translation().x(), pose.translation().y(), pose.translation().z(),
-                               angles.rollDeg, angles.pitchDeg, angles.yawDeg})
-      text += (text.empty() ? "" : ",") + fixed(value, 6);
-    note(options.out + " has its points in the scan's own frame; its pose in the map is --pose=" + text);
-  }
   return success();
 }
 
@@ -57,6 +48,10 @@ void addConvert(CLI::App& app, Action& action) {
       ->add_option("OUT", options->out,
                    "The file to write: lattice and pose are kept where its format can hold them")
       ->required();
+  command->add_option(
+      "--pose", options->pose,
+      "x,y,z,roll,pitch,yaw of the sensor in the map (m, degrees), for a scan in the sensor's own frame; OUT "
+      "is written in the map frame");
   command->callback([options, &action] { action = [options] { return convert(*options); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/param_options.h"
 #include "app/cli/text_table.h"
 #include "io/scan_io.h"
 #include "scan/scan_summary.h"
@@ -98,13 +99,7 @@ std::string asText(const Scan& scan, const ScanSummary& summary) {
 }
 
 Status info(const InfoOptions& options) {
-  ReadOptions reading;
-  if (!options.pose.empty()) {
-    const auto pose = poseFromText(options.pose);
-    if (!pose) throw BadArguments("--pose: " + pose.error().what + "; " + pose.error().remedy);
-    reading.pose = *pose;
-  }
-  const auto scan = readScan(options.scan, reading);
+  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose)});
   if (!scan) return scan.error();
   const ScanSummary summary = summarize(*scan);
   std::cout << (options.json ? asJson(*scan, summary) : asText(*scan, summary));

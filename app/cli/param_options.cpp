@@ -120,11 +120,19 @@ Expected<Settings> ParamOptions::settings() const {
   }
   if (!poses_.empty()) settings.poses.clear();
   for (const std::string& text : poses_) {
-    const auto pose = poseFromText(text);
-    if (!pose) throw BadArguments("--pose: " + pose.error().what + "; " + pose.error().remedy);
+    // An empty text is a mistake here: the option was given.
+    const auto pose = poseFromOption(text);
+    if (!pose) throw BadArguments("--pose: empty; give x,y,z,roll,pitch,yaw");
     settings.poses.push_back(*pose);
   }
   return settings;
+}
+
+std::optional<Eigen::Isometry3d> poseFromOption(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto pose = poseFromText(text);
+  if (!pose) throw BadArguments("--pose: " + pose.error().what + "; " + pose.error().remedy);
+  return *pose;
 }
 
 }  // namespace stratascope::cli

@@ -37,4 +37,7 @@ private:
   int threads_ = 0;
 };
 
+/// The text of a `--pose`, none if it is empty. Throws BadArguments.
+std::optional<Eigen::Isometry3d> poseFromOption(const std::string& text);
+
 }  // namespace stratascope::cli

@@ -29,7 +29,9 @@ void parallelRows(int rows, const Execution& execution, const std::function<void
   if (execution.threads == 1) {
     for (int chunk = 0; chunk < chunks; ++chunk) run(chunk);
   } else {
-    tbb::task_arena arena(execution.threads <= 0 ? tbb::task_arena::automatic : execution.threads);
+    // More workers than processors only earn a warning on stderr.
+    const int most = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(execution.threads <= 0 ? most : std::min(most, execution.threads));
     arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::simple_partitioner{}); });
   }
   if (stopped) throw Cancelled{};

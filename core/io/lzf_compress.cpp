@@ -37,7 +37,8 @@ void appendCopy(std::string& out, size_t length, size_t back) {
 std::string lzfCompress(std::string_view bytes) {
   std::string out;
   out.reserve(bytes.size() + bytes.size() / 32 + 1);
-  std::vector<size_t> last(size_t{1} << kHashBits, 0);  // 1 + where three bytes of this hash stood last, 0 = nowhere
+  std::vector<size_t> last(size_t{1} << kHashBits,
+                           0);  // 1 + where three bytes of this hash stood last, 0 = nowhere
   size_t at = 0, literalsFrom = 0;
   while (at + kShortestCopy <= bytes.size()) {
     size_t& slot = last[hashOfThree(bytes.data() + at)];

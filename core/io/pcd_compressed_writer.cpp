@@ -30,7 +30,8 @@ std::string pcdViewpoint(const Eigen::Isometry3d& scan_T_sensor) {
   turn.normalize();
   const Eigen::Vector3d& position = scan_T_sensor.translation();
   std::string text;
-  for (const double value : {position.x(), position.y(), position.z(), turn.w(), turn.x(), turn.y(), turn.z()}) {
+  for (const double value :
+       {position.x(), position.y(), position.z(), turn.w(), turn.x(), turn.y(), turn.z()}) {
     if (!text.empty()) text.push_back(' ');
     appendNumber(text, value == 0 ? 0 : value);  // no "-0"
   }
@@ -47,14 +48,18 @@ std::string pcdCompressed(const Scan& scan) {
   std::string columns;  // all x, then all y, then all z
   columns.reserve(points.size() * 12);
   for (int axis = 0; axis < 3; ++axis)
-    for (const Eigen::Vector3f& point : points) appendLittleEndian(columns, std::bit_cast<std::uint32_t>(point[axis]));
+    for (const Eigen::Vector3f& point : points)
+      appendLittleEndian(columns, std::bit_cast<std::uint32_t>(point[axis]));
   const std::string packed = lzfCompress(columns);
 
   const std::string count = std::to_string(points.size());
-  std::string file = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
+  std::string file =
+      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT "
+      "1 1 1\n";
   file += "WIDTH " + (unordered ? count : std::to_string(scan.lattice->beams())) + "\n";
   file += "HEIGHT " + (unordered ? "1" : std::to_string(scan.lattice->lines())) + "\n";
-  file += "VIEWPOINT " + pcdViewpoint(scan.pose.scan_T_sensor) + "\nPOINTS " + count + "\nDATA binary_compressed\n";
+  file += "VIEWPOINT " + pcdViewpoint(scan.pose.scan_T_sensor) + "\nPOINTS " + count +
+          "\nDATA binary_compressed\n";
   appendLittleEndian(file, static_cast<std::uint32_t>(packed.size()));
   appendLittleEndian(file, static_cast<std::uint32_t>(columns.size()));
   file += packed;

@@ -172,7 +172,11 @@ Expected<Scan> readScan(const std::string& path, const ReadOptions& options) {
   if (fs::is_directory(path, failed)) return Error{path, "", "this is a directory, not a scan", kReadable};
   auto bytes = readFile(path);
   if (!bytes) return bytes.error();
-  auto cloud = readRaw(path, std::move(bytes).value(), options);
+  return readScanBytes(path, std::move(bytes).value(), options);
+}
+
+Expected<Scan> readScanBytes(const std::string& path, std::string bytes, const ReadOptions& options) {
+  auto cloud = readRaw(path, std::move(bytes), options);
   if (!cloud) return cloud.error();
   if (cloud->points.size() > static_cast<size_t>(std::numeric_limits<std::int32_t>::max()))
     return Error{path, "", "more than 2147483647 points", "split or thin the cloud"};

@@ -21,12 +21,16 @@ struct ReadOptions {
 /// Reads one scan of any supported format, told by content first, then by extension. Regular files only; memory bounded by
 /// the file's size. Locale-independent. A cloud without a lattice comes back Projected, with a note.
 Expected<Scan> readScan(const std::string& path, const ReadOptions& options = {});
+/// The same for a file's bytes already at hand; `path` gives name and extension (and where a .pose file may lie).
+Expected<Scan> readScanBytes(const std::string& path, std::string bytes, const ReadOptions& options = {});
 
 /// Writes a scan's points in the map frame (bit for bit as they stand where map_T_scan is the identity), so that the file
 /// read back lies where the scan lay. By the extension: .pcd (binary; lattice, or the unordered cloud in its order, and
 /// map_T_sensor as VIEWPOINT), .xyz/.txt (x y z a line), .csv (x,y,z a line); text leaves missing returns out and has no
 /// lattice. The file is replaced only when the new one is complete.
 Status writeScan(const Scan& scan, const std::string& path);
+/// What writeScan would write to `path`.
+Expected<std::string> scanBytes(const Scan& scan, const std::string& path);
 
 /// "PCD (*.pcd)", … for file dialogs and help.
 struct FormatInfo {

@@ -65,15 +65,21 @@ std::string textBytes(const Scan& scan, char separator) {
 
 }  // namespace
 
-Status writeScan(const Scan& scan, const std::string& path) {
-  require(scan.lattice != nullptr, "writeScan: a scan without a lattice");
+Expected<std::string> scanBytes(const Scan& scan, const std::string& path) {
+  require(scan.lattice != nullptr, "scanBytes: a scan without a lattice");
   const auto given = std::filesystem::path(path).extension().string();
   std::string extension;
   for (const char c : given) extension += c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  if (extension == ".pcd") return writeFileAtomically(path, pcdBytes(scan));
-  if (extension == ".xyz" || extension == ".txt") return writeFileAtomically(path, textBytes(scan, ' '));
-  if (extension == ".csv") return writeFileAtomically(path, textBytes(scan, ','));
+  if (extension == ".pcd") return pcdBytes(scan);
+  if (extension == ".xyz" || extension == ".txt") return textBytes(scan, ' ');
+  if (extension == ".csv") return textBytes(scan, ',');
   return Error{path, "", "scans cannot be written in the format " + quotedText(extension), "end the name in .pcd, .xyz, .txt or .csv"};
+}
+
+Status writeScan(const Scan& scan, const std::string& path) {
+  const auto bytes = scanBytes(scan, path);
+  if (!bytes) return bytes.error();
+  return writeFileAtomically(path, *bytes);
 }
 
 }  // namespace stratascope

@@ -80,7 +80,7 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
       if (n < 3) p[static_cast<Eigen::Index>(n)] = *number;
     }
     if (n == 0) continue;
-    if (n < 3) return Error{path, lines.where(), std::to_string(n) + " numbers instead of x y z", "the file may be cut off: copy it again"};
+    if (n < 3) return Error{path, lines.where(), std::to_string(n) + " of the 3 numbers x y z", "the file may be cut off: copy it again"};
     if (columns == 0) columns = n, firstRow = lines.number();
     if (n != columns)
       return Error{path, lines.where(),

@@ -107,7 +107,7 @@ Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
       return Error{path, lines.where(),
                    std::to_string(columns.size()) + " columns, but " + std::to_string(cloud.fields.size()) + " in line " + std::to_string(firstRow),
                    "all lines must have the same columns"};
-    Eigen::Vector3d p;
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
     for (size_t c = 0; c < columns.size(); ++c) {
       const auto number = numberFromText(columns[c]);
       if (!number) return Error{path, lines.where(), quotedText(columns[c]) + " is not a number", remedy};

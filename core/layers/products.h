@@ -29,7 +29,10 @@ struct PointImage {
 /// Layer 2.
 struct NormalImage {
   Grid<Eigen::Vector3f> normals;  ///< unit, toward the sensor; NaN = no usable neighbours
-  /// Reach of the neighbourhood each normal came from, metres; NaN where there is no normal.
+  /// Distance of the fitted plane from the sensor, metres: the plane is normal·(p − sensor) = −distance. NaN
+  /// without a normal.
+  Grid<float> distance;
+  /// Reach of the neighbourhood each normal came from, metres; NaN without a normal.
   Grid<float> reach;
   RangeNoise noise;  ///< the scan's own range noise, as it was estimated
 };

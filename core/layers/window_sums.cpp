@@ -6,30 +6,46 @@
 
 namespace stratascope {
 
-void WindowSums::build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine) {
+void WindowSums::build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine,
+                       const Execution& execution) {
   first_ = firstLine, end_ = endLine;
-  const int beams = image.points.cols();
+  const int beams = image.points.cols(), lines = endLine - firstLine;
   stride_ = static_cast<size_t>(beams) + 1;
-  table_.resize(static_cast<size_t>(endLine - firstLine + 1) * stride_);
+  table_.resize(static_cast<size_t>(lines + 1) * stride_);
   std::fill(table_.begin(), table_.begin() + static_cast<std::ptrdiff_t>(stride_), Entry{});
-  for (int i = firstLine; i < endLine; ++i) {
-    const Entry* above = &table_[static_cast<size_t>(i - firstLine) * stride_];
-    Entry* out = &table_[static_cast<size_t>(i - firstLine + 1) * stride_];
-    out[0] = Entry{};
-    Entry line{};
-    for (int j = 0; j < beams; ++j) {
-      const double r = image.range({i, j});
-      if (r == r) {
-        const Eigen::Vector3d q = image.points({i, j}).cast<double>() - image.sensor;
-        const double sigma = noise.sigmaAt(r) / r;
-        const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(),
-                             q.y() * q.z(), q.z() * q.z(), q.x(),         q.y(),
-                             q.z(),         1.0,           sigma * sigma};
-        for (size_t t = 0; t < kTerms; ++t) line[t] += terms[t];
+  // Along the lines first, then down the beams: both passes are independent of the number of threads.
+  parallelRows(lines, execution, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Entry* out = &table_[static_cast<size_t>(i + 1) * stride_];
+      out[0] = Entry{};
+      Entry line{};
+      for (int j = 0; j < beams; ++j) {
+        const GridIndex at{firstLine + i, j};
+        const double r = image.range(at);
+        if (r == r) {
+          const Eigen::Vector3d q = image.points(at).cast<double>() - image.sensor;
+          const double sigma = noise.sigmaAt(r) / r;
+          const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(),
+                               q.y() * q.z(), q.z() * q.z(), q.x(),         q.y(),
+                               q.z(),         1.0,           sigma * sigma};
+          for (size_t t = 0; t < kTerms; ++t) line[t] += terms[t];
+        }
+        out[j + 1] = line;
       }
-      for (size_t t = 0; t < kTerms; ++t) out[j + 1][t] = above[j + 1][t] + line[t];
     }
-  }
+  });
+  constexpr int kColumns = 32;
+  parallelRows(
+      static_cast<int>(stride_), execution,
+      [&](int begin, int end) {
+        for (int i = 1; i <= lines; ++i) {
+          const Entry* above = &table_[static_cast<size_t>(i - 1) * stride_];
+          Entry* out = &table_[static_cast<size_t>(i) * stride_];
+          for (int j = begin; j < end; ++j)
+            for (size_t t = 0; t < kTerms; ++t) out[j][t] += above[j][t];
+        }
+      },
+      kColumns);
 }
 
 WindowSums::Sums WindowSums::over(const LatticeWindow& window) const {
@@ -45,6 +61,13 @@ WindowSums::Sums WindowSums::over(const LatticeWindow& window) const {
   f.w = f.n = s[9];
   sums.expected = s[10];
   return sums;
+}
+
+WindowSums::Means WindowSums::means(const LatticeWindow& window) const {
+  const Entry &a = at(window.top, window.left), &b = at(window.top, window.right + 1),
+              &c = at(window.bottom + 1, window.left), &d = at(window.bottom + 1, window.right + 1);
+  auto term = [&](size_t t) { return (d[t] - b[t]) - (c[t] - a[t]); };
+  return {{term(6), term(7), term(8)}, term(9)};
 }
 
 }  // namespace stratascope

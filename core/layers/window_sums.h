@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "base/parallel_rows.h"
 #include "layers/products.h"
 #include "layers/range_noise.h"
 #include "layers/range_plane_fit.h"
@@ -29,9 +30,16 @@ public:
   };
 
   /// Lines [firstLine, endLine) of the image. Reuses its memory.
-  void build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine);
+  void build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine,
+             const Execution& execution = {});
   /// Of a window that lies within those lines.
   Sums over(const LatticeWindow& window) const;
+  /// The first moments alone.
+  struct Means {
+    Eigen::Vector3d sum;
+    double n;
+  };
+  Means means(const LatticeWindow& window) const;
   int firstLine() const { return first_; }
   int endLine() const { return end_; }
 

@@ -8,15 +8,10 @@
 
 namespace stratascope {
 
-int PatchGraph::addPatch(const RangePlaneSums& sums) {
+int PatchGraph::addPatch(const PatchSums& sums) {
   const int index = static_cast<int>(patches_.size());
-  patches_.push_back({sums, fitRangePlane(sums), index, {}});
+  patches_.push_back({sums, fitRangePlane(sums.measured), fitRangePlane(sums.local).residual, index, {}});
   return index;
-}
-
-void PatchGraph::setSums(int patch, const RangePlaneSums& sums) {
-  patches_[static_cast<size_t>(patch)].sums = sums;
-  patches_[static_cast<size_t>(patch)].plane = fitRangePlane(sums);
 }
 
 void PatchGraph::connect(int a, int b) {
@@ -33,14 +28,18 @@ int PatchGraph::find(int patch) const {
 
 PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   const Patch &pa = patches_[static_cast<size_t>(a)], &pb = patches_[static_cast<size_t>(b)];
-  RangePlaneSums joint = pa.sums;
-  joint += pb.sums;
+  const double slack = std::min(pa.sums.slack, pb.sums.slack);
+  const double smaller = std::min(pa.sums.measured.n, pb.sums.measured.n);
+  RangePlaneSums joint = pa.sums.local;
+  joint += pb.sums.local;
+  const double disagreement = std::max(0.0, fitRangePlane(joint).residual - pa.residual - pb.residual);
+  if (disagreement > rules.disagreement * smaller + slack) return {0, false};
+  joint = pa.sums.measured;
+  joint += pb.sums.measured;
   const RangePlane plane = fitRangePlane(joint);
-  if (!plane.valid) return {0, 0, false};
-  const double total = std::max(0.0, plane.residual - pa.plane.residual - pb.plane.residual);
-  const double smaller = std::min(pa.sums.n, pb.sums.n);
-  const bool allowed = total <= rules.chiSquare + rules.flatness * smaller;
-  return {total / smaller, total, allowed};
+  if (!plane.valid) return {0, false};
+  const double growth = std::max(0.0, plane.residual - pa.plane.residual - pb.plane.residual);
+  return {disagreement / smaller, growth <= rules.chiSquare + slack};
 }
 
 void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
@@ -52,7 +51,7 @@ void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
     if (a > b) std::swap(a, b);
     const Growth g = growth(a, b, rules);
     if (g.allowed)
-      queue.emplace(g.perNeuron, a, b, version[static_cast<size_t>(a)], version[static_cast<size_t>(b)]);
+      queue.emplace(g.disagreement, a, b, version[static_cast<size_t>(a)], version[static_cast<size_t>(b)]);
   };
   // A pair refused while both were small may be welcome once they have grown (and chance alone refuses one in
   // ten thousand), so all pairs are offered again until nothing joins any more.
@@ -82,7 +81,8 @@ void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
       joined = true;
       Patch &keep = patches_[static_cast<size_t>(a)], &gone = patches_[static_cast<size_t>(b)];
       keep.sums += gone.sums;
-      keep.plane = fitRangePlane(keep.sums);
+      keep.plane = fitRangePlane(keep.sums.measured);
+      keep.residual = fitRangePlane(keep.sums.local).residual;
       gone.parent = a;
       ++version[static_cast<size_t>(a)];
       // The pairs of `a` are weighed anew when they come up; those of `b` become pairs of `a` unless it had

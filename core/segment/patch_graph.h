@@ -11,37 +11,52 @@
 
 namespace stratascope {
 
-/// Regions joined greedily over a graph of neighbours: always the pair whose squared error grows least a
-/// neuron. Sums are weighted by r²/σ², so errors are in units of the noise. Single-threaded, independent of
-/// the machine.
+/// A piece of a plane. Both sums are weighted by r²/σ², so errors are in units of the noise.
+struct PatchSums {
+  RangePlaneSums measured;  ///< of its neurons' points
+  RangePlaneSums local;     ///< of points on each neuron's own local plane, a fixed lever away
+  double slack = 0;         ///< squared error that the unevenness of real surfaces may add
+
+  PatchSums& operator+=(const PatchSums& o) {
+    measured += o.measured, local += o.local, slack += o.slack;
+    return *this;
+  }
+};
+
+/// Regions joined greedily over a graph of neighbours: always the pair whose local planes disagree least. A
+/// few points say little about a plane, but their windows reached far and never across an edge; so local
+/// planes order the joins, and the measured points confirm them. Single-threaded, independent of the machine.
 class PatchGraph {
 public:
   struct Rules {
-    double chiSquare = 0;  ///< growth that noise alone explains (3 degrees of freedom)
-    double flatness = 0;   ///< further growth per neuron of the smaller region: real surfaces are not flat
+    double chiSquare =
+        0;  ///< growth of the measured squared error that noise alone explains (3 degrees of freedom)
+    double disagreement = 0;  ///< mean squared disagreement of local planes that their own errors explain
+    double flatness = 0;      ///< further growth per neuron of the smaller region: real surfaces are not flat
   };
 
-  /// Adds a patch; returns its index.
-  int addPatch(const RangePlaneSums& sums);
-  void setSums(int patch, const RangePlaneSums& sums);
+  /// Returns its index.
+  int addPatch(const PatchSums& sums);
+  size_t size() const { return patches_.size(); }
   /// Tells that two patches touch. Order and repetition do not matter.
   void connect(int a, int b);
   void joinAll(const Rules& rules, const Execution& execution);
 
   /// The patch that stands for all joined with this one: the smallest index among them.
   int find(int patch) const;
-  const RangePlaneSums& sums(int root) const { return patches_[static_cast<size_t>(root)].sums; }
+  double neurons(int root) const { return patches_[static_cast<size_t>(root)].sums.measured.n; }
   const RangePlane& plane(int root) const { return patches_[static_cast<size_t>(root)].plane; }
 
 private:
   struct Patch {
-    RangePlaneSums sums;
-    RangePlane plane;
+    PatchSums sums;
+    RangePlane plane;     // of the measured points
+    double residual = 0;  // of the local planes about their mean
     int parent = -1;
     std::vector<int> neighbours;
   };
   struct Growth {
-    double perNeuron, total;
+    double disagreement;
     bool allowed;
   };
   Growth growth(int a, int b, const Rules& rules) const;

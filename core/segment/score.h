@@ -57,8 +57,8 @@ struct SegmentationScore {
   std::size_t noise = 0;         ///< found regions
   std::size_t noiseOutside = 0;  ///< of these, regions with more than half their pixels on truth that is not
                                  ///< counted (small, curved, nothing)
-  double share =
-      0;  ///< pixels of correctly found true regions / pixels of all true regions; 0 without regions
+  /// Pixels of correctly found true regions / pixels of all true regions; 0 without regions.
+  double share = 0;
   std::vector<CorrectPair> pairs;                  ///< by truth label
   std::map<std::uint32_t, RegionVerdict> ofTruth;  ///< counted true regions
   std::map<std::uint32_t, RegionVerdict> ofFound;
@@ -71,8 +71,8 @@ struct SegmentationScore {
   std::size_t normalPixels = 0;                        ///< such pixels
   std::size_t normalPixelsFound = 0;                   ///< of these, with a found normal
   std::optional<double> normalMedianDeg, normal90Deg;  ///< over normalPixelsFound
-  std::optional<double>
-      normalWithin10;  ///< share of normalPixels within 10°; without a found normal = not within
+  /// Share of normalPixels within 10°; without a found normal = not within.
+  std::optional<double> normalWithin10;
 };
 
 SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions& options = {});

@@ -9,10 +9,10 @@
 
 namespace stratascope {
 
-/// Random numbers without state: each is a hash of (seed, two counters, draw), so the order of asking does not matter.
-/// The mixing function is the finaliser of splitmix64.
+/// Random numbers without state: each is a hash of (seed, two counters, draw), so the order of asking does
+/// not matter. The mixing function is the finaliser of splitmix64.
 class CounterNoise {
- public:
+public:
   explicit CounterNoise(std::uint64_t seed) : seed_(mix(seed)) {}
 
   std::uint64_t bits(std::uint64_t a, std::uint64_t b, std::uint64_t draw) const {
@@ -28,7 +28,7 @@ class CounterNoise {
     return radius * std::cos(2 * kPi * uniform(a, b, draw + 1));
   }
 
- private:
+private:
   static std::uint64_t mix(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

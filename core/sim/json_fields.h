@@ -13,14 +13,15 @@
 
 namespace stratascope {
 
-/// Reads the members of one JSON object strictly. Keeps the first error with its place ("items[3].size"); after an error the
-/// values returned are stand-ins, so a reader runs to its end and looks at the error once.
+/// Reads the members of one JSON object strictly. Keeps the first error with its place ("items[3].size");
+/// after an error the values returned are stand-ins, so a reader runs to its end and looks at the error once.
 class JsonFields {
- public:
+public:
   using Json = nlohmann::json;
 
   /// `keys`: all that may stand here.
-  JsonFields(const Json& json, std::string place, std::initializer_list<const char*> keys, std::optional<Error>& error)
+  JsonFields(const Json& json, std::string place, std::initializer_list<const char*> keys,
+             std::optional<Error>& error)
       : json_(json), place_(std::move(place)), error_(error) {
     if (!json.is_object()) {
       fail("", "must be an object { … }");
@@ -71,7 +72,8 @@ class JsonFields {
   Eigen::Vector3d vector(const char* key, double bound, std::optional<Eigen::Vector3d> fallback = {}) {
     Eigen::Vector3d result = fallback.value_or(Eigen::Vector3d::Zero());
     if (!present(key, fallback.has_value()) || !isTriple(key)) return result;
-    for (int i = 0; i < 3; ++i) result[i] = inRange(at(key)[static_cast<size_t>(i)], element(key, i), -bound, bound);
+    for (int i = 0; i < 3; ++i)
+      result[i] = inRange(at(key)[static_cast<size_t>(i)], element(key, i), -bound, bound);
     return result;
   }
   /// Three lengths greater than zero.
@@ -92,9 +94,11 @@ class JsonFields {
   void fail(const std::string& key, std::string what, std::string remedy = {}) {
     if (!error_) error_ = Error{{}, placeOf(key), std::move(what), std::move(remedy)};
   }
-  static std::string element(const std::string& key, int index) { return key + "[" + std::to_string(index) + "]"; }
+  static std::string element(const std::string& key, int index) {
+    return key + "[" + std::to_string(index) + "]";
+  }
 
- private:
+private:
   static constexpr double kLargestLength = 1e5;
 
   bool present(const char* key, bool optional) {

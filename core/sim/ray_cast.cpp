@@ -20,19 +20,20 @@ struct FacePlane {
 
 // Gives out labels in order; a face in the plane of an earlier face of its group gets that face's label.
 class Labeller {
- public:
+public:
   std::uint32_t plane(int group, const Eigen::Vector3d& normal, const Eigen::Vector3d& point) {
     if (group < 0) return next_++;
     const double offset = normal.dot(point);
     for (const FacePlane& known : faces_)
-      if (known.group == group && (known.normal - normal).norm() < kSamePlane && std::abs(known.offset - offset) < kSamePlane)
+      if (known.group == group && (known.normal - normal).norm() < kSamePlane &&
+          std::abs(known.offset - offset) < kSamePlane)
         return known.label;
     faces_.push_back({group, normal, offset, next_});
     return next_++;
   }
   std::uint32_t next() const { return next_; }
 
- private:
+private:
   std::vector<FacePlane> faces_;
   std::uint32_t next_ = kTruthFirstPlane;
 };
@@ -47,8 +48,9 @@ RayCaster::RayCaster(const Scene& scene, const Eigen::Vector3d& origin) {
     if (const auto* box = std::get_if<SceneBox>(&source.shape)) {
       const bool inside = box->side == BoxSide::Inside;
       const Eigen::Matrix3d turn = box->scene_T_box.rotation();
-      boxes_.push_back({item, surface, turn.transpose(), turn.transpose() * (origin - box->scene_T_box.translation()),
-                        box->size / 2, inside, box->faceOpen});
+      boxes_.push_back({item, surface, turn.transpose(),
+                        turn.transpose() * (origin - box->scene_T_box.translation()), box->size / 2, inside,
+                        box->faceOpen});
       for (int face = 0; face < 6; ++face) {
         const Eigen::Vector3d outward = turn.col(face / 2) * (face % 2 == 0 ? -1 : 1);
         const Eigen::Vector3d centre = box->scene_T_box.translation() + outward * box->size[face / 2] / 2;
@@ -72,7 +74,8 @@ RayCaster::RayCaster(const Scene& scene, const Eigen::Vector3d& origin) {
     } else {
       const auto& round = std::get<SceneCylinder>(source.shape);
       const Eigen::Vector3d axis = (round.to - round.from).normalized();
-      cylinders_.push_back({item, surface, origin - round.from, axis, (round.to - round.from).norm(), round.radius});
+      cylinders_.push_back(
+          {item, surface, origin - round.from, axis, (round.to - round.from).norm(), round.radius});
       labels_.push_back(kTruthCurved);
       labels_.push_back(labeller.plane(source.group, -axis, round.from));
       labels_.push_back(labeller.plane(source.group, axis, round.to));

@@ -15,23 +15,24 @@ namespace stratascope {
 struct RayHit {
   double range = std::numeric_limits<double>::infinity();  ///< along the unit direction
   int item = -1;                                           ///< index into Scene::items; -1 = nothing met
-  int surface = -1;                                        ///< counts faces and mantles through the scene; -1 = nothing met
-  std::uint32_t label = kTruthNothing;                     ///< truth label, see scene.h
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();        ///< unit, scene frame, toward the ray's origin
+  int surface = -1;                     ///< counts faces and mantles through the scene; -1 = nothing met
+  std::uint32_t label = kTruthNothing;  ///< truth label, see scene.h
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, scene frame, toward the ray's origin
   explicit operator bool() const { return item >= 0; }
 };
 
-/// Nearest surface along rays that all start at one point. Tests every shape in turn: scenes are small, and this way the caster
-/// is its own specification. Of surfaces at exactly the same range the first in the scene wins. Thread-safe.
+/// Nearest surface along rays that all start at one point. Tests every shape in turn: scenes are small, and
+/// this way the caster is its own specification. Of surfaces at exactly the same range the first in the scene
+/// wins. Thread-safe.
 class RayCaster {
- public:
+public:
   RayCaster(const Scene& scene, const Eigen::Vector3d& origin);
   /// `direction`: unit, scene frame.
   RayHit cast(const Eigen::Vector3d& direction) const;
   /// One more than the last plane label the scene uses.
   std::uint32_t labelEnd() const { return labelEnd_; }
 
- private:
+private:
   struct Box {
     int item, surface;
     Eigen::Matrix3d box_R_scene;

@@ -30,7 +30,7 @@ struct OtherSurface {
 };
 
 class Beam {
- public:
+public:
   Beam(const RayCaster& caster, const SceneScanner& scanner, const Eigen::Vector3d& inSensor)
       : caster_(caster), direction_(scanner.scene_T_sensor.linear() * inSensor) {
     // Across the beam, in the mirror's plane: away from the mirror's zero direction y.
@@ -49,7 +49,9 @@ class Beam {
     const double halfSpot = (kSpotAtZero + kSpotPerMetre * centre_.range) / (2 * centre_.range);
     const Eigen::Vector3d turn = direction_.cross(sweep_);
     for (const Eigen::Vector3d& across : {sweep_, Eigen::Vector3d(-sweep_), turn, Eigen::Vector3d(-turn)}) {
-      auto castAt = [&](double part) { return caster_.cast((direction_ + across * (part * halfSpot)).normalized()); };
+      auto castAt = [&](double part) {
+        return caster_.cast((direction_ + across * (part * halfSpot)).normalized());
+      };
       RayHit rim = castAt(1);
       if (rim.surface == centre_.surface) continue;
       double inside = 0, outside = 1;  // the border lies between, in half spots from the centre
@@ -65,13 +67,14 @@ class Beam {
       }
       if (!rim || rim.range > maxRange) continue;
       const double cut = (inside + outside) / 2;
-      const double share = (std::acos(cut) - cut * std::sqrt(1 - cut * cut)) / kPi;  // of a disc beyond a chord
+      const double share =
+          (std::acos(cut) - cut * std::sqrt(1 - cut * cut)) / kPi;  // of a disc beyond a chord
       if (share > found.share) found = {rim, share};
     }
     return found;
   }
 
- private:
+private:
   const RayCaster& caster_;
   Eigen::Vector3d direction_, sweep_;
   RayHit centre_;
@@ -80,7 +83,8 @@ class Beam {
 double systematicPart(const CounterNoise& noise, const RayHit& hit, double range) {
   // Per plane, not per face: a wall in two pieces is painted once. Curved surfaces differ by item.
   constexpr std::uint64_t kOwnStream = std::uint64_t{1} << 40;
-  const std::uint64_t key = hit.label >= kTruthFirstPlane ? hit.label : kOwnStream + static_cast<std::uint64_t>(hit.item);
+  const std::uint64_t key =
+      hit.label >= kTruthFirstPlane ? hit.label : kOwnStream + static_cast<std::uint64_t>(hit.item);
   const double surface = 2 * noise.uniform(kOwnStream, key, 0) - 1;
   const double phase = 2 * kPi * noise.uniform(kOwnStream, kOwnStream, 1);
   return kSurfaceBias * surface + kRippleBias * std::sin(2 * kPi * range / kRippleLength + phase);
@@ -125,7 +129,8 @@ Eigen::Vector3d beamDirection(const SceneScanner& scanner, GridIndex neuron) {
     const double turns = (kPi - phi) / (2 * kPi) + fromRight % 2;
     line += turns / 2;
   }
-  const double elevation = degToRad(between(scanner.elevationFirstDeg, scanner.elevationLastDeg, line, scanner.lines));
+  const double elevation =
+      degToRad(between(scanner.elevationFirstDeg, scanner.elevationLastDeg, line, scanner.lines));
   return pointFromPolar({1, headAngleFromElevation(elevation), phi});
 }
 
@@ -133,7 +138,8 @@ SimulatedScan simulateScan(const Scene& scene, const SimulationOptions& options,
   const SceneScanner& scanner = scene.scanner;
   require(scanner.lines > 0 && scanner.beams > 0, "simulateScan: empty lattice");
   require(scanner.maxRange > 0, "simulateScan: maxRange must be positive");
-  require(options.sigma >= 0 && std::isfinite(options.sigma), "simulateScan: sigma must be finite and not negative");
+  require(options.sigma >= 0 && std::isfinite(options.sigma),
+          "simulateScan: sigma must be finite and not negative");
 
   SimulatedScan result;
   const Eigen::Vector3f none = Eigen::Vector3f::Constant(kNaNf);
@@ -145,24 +151,27 @@ SimulatedScan simulateScan(const Scene& scene, const SimulationOptions& options,
   const Eigen::Vector3d origin = scanner.scene_T_sensor.translation();
   const RayCaster caster(scene, origin);
   const CounterNoise noise(options.seed);
-  parallelRows(scanner.lines, execution, [&](int begin, int end) {
-    for (GridIndex neuron{begin, 0}; neuron.row < end; ++neuron.row) {
-      for (neuron.col = 0; neuron.col < scanner.beams; ++neuron.col) {
-        const Beam beam(caster, scanner, beamDirection(scanner, neuron));
-        const RayHit& hit = beam.centre();
-        if (!hit || hit.range > scanner.maxRange) continue;
-        const Eigen::Vector3d truth = origin + hit.range * beam.direction();
-        result.truthPoints(neuron) = truth.cast<float>();
-        result.truthNormals(neuron) = hit.normal.cast<float>();
-        result.truthLabels(neuron) = hit.label;
-        if (options.noise == NoiseModel::None) {
-          points(neuron) = truth.cast<float>();
-        } else if (const auto range = measuredRange(beam, scene, options, noise, neuron)) {
-          points(neuron) = (origin + *range * beam.direction()).cast<float>();
+  parallelRows(
+      scanner.lines, execution,
+      [&](int begin, int end) {
+        for (GridIndex neuron{begin, 0}; neuron.row < end; ++neuron.row) {
+          for (neuron.col = 0; neuron.col < scanner.beams; ++neuron.col) {
+            const Beam beam(caster, scanner, beamDirection(scanner, neuron));
+            const RayHit& hit = beam.centre();
+            if (!hit || hit.range > scanner.maxRange) continue;
+            const Eigen::Vector3d truth = origin + hit.range * beam.direction();
+            result.truthPoints(neuron) = truth.cast<float>();
+            result.truthNormals(neuron) = hit.normal.cast<float>();
+            result.truthLabels(neuron) = hit.label;
+            if (options.noise == NoiseModel::None) {
+              points(neuron) = truth.cast<float>();
+            } else if (const auto range = measuredRange(beam, scene, options, noise, neuron)) {
+              points(neuron) = (origin + *range * beam.direction()).cast<float>();
+            }
+          }
         }
-      }
-    }
-  }, 8);
+      },
+      8);
 
   ScanBuilder builder(scanner.beams);
   for (int line = 0; line < scanner.lines; ++line) builder.appendLine(points.row(line));

@@ -17,8 +17,8 @@ constexpr size_t kLargestText = size_t{4} << 20;
 constexpr size_t kMostItems = 5000;
 constexpr std::int64_t kMostNeurons = 64'000'000;
 constexpr int kDeepest = 16;
-constexpr double kBound = 1e5;     // coordinates, metres
-constexpr double kAngle = 360;     // degrees
+constexpr double kBound = 1e5;  // coordinates, metres
+constexpr double kAngle = 360;  // degrees
 constexpr std::array<const char*, 6> kFaceNames{"-x", "+x", "-y", "+y", "-z", "+z"};
 
 /// What the library lets pass and we do not: repeated keys, and nesting without end.
@@ -37,7 +37,8 @@ struct ParseGuard {
       keys[level + 1].clear();
     } else if (event == Json::parse_event_t::key && complaint.empty() &&
                !keys[level].insert(parsed.get_ref<const std::string&>()).second) {
-      complaint = "has the key \"" + parsed.get_ref<const std::string&>().substr(0, 40) + "\" twice in one object";
+      complaint =
+          "has the key \"" + parsed.get_ref<const std::string&>().substr(0, 40) + "\" twice in one object";
     }
     return true;
   }
@@ -47,7 +48,8 @@ Eigen::Matrix3d turn(JsonFields& fields) {
   const double roll = degToRad(fields.number("roll", -kAngle, kAngle, 0.0));
   const double pitch = degToRad(fields.number("pitch", -kAngle, kAngle, 0.0));
   const double yaw = degToRad(fields.number("yaw", -kAngle, kAngle, 0.0));
-  return (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+  return (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
           Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
       .toRotationMatrix();
 }
@@ -59,7 +61,7 @@ Eigen::Isometry3d pose(const Eigen::Vector3d& position, const Eigen::Matrix3d& r
 }
 
 class SceneReader {
- public:
+public:
   Expected<Scene> read(const Json& json) {
     JsonFields root(json, "", {"name", "text", "scanner", "items"}, error_);
     scene_.name = root.text("name", "");
@@ -67,16 +69,17 @@ class SceneReader {
     scanner(root.has("scanner") ? root.at("scanner") : Json::object());
     const Json::array_t& items = root.list("items");
     if (items.empty()) root.fail("items", "must hold at least one surface");
-    for (size_t i = 0; i < items.size() && !error_; ++i) item(items[i], JsonFields::element("items", static_cast<int>(i)));
+    for (size_t i = 0; i < items.size() && !error_; ++i)
+      item(items[i], JsonFields::element("items", static_cast<int>(i)));
     if (error_) return *error_;
     return std::move(scene_);
   }
 
- private:
+private:
   void scanner(const Json& json) {
     JsonFields fields(json, "scanner",
-                      {"position", "roll", "pitch", "yaw", "lines", "beams", "beamFirst", "beamLast", "elevationFirst",
-                       "elevationLast", "continuousHead", "maxRange"},
+                      {"position", "roll", "pitch", "yaw", "lines", "beams", "beamFirst", "beamLast",
+                       "elevationFirst", "elevationLast", "continuousHead", "maxRange"},
                       error_);
     SceneScanner& s = scene_.scanner;
     s.scene_T_sensor = pose(fields.vector("position", kBound, Eigen::Vector3d(0, 0, 1)), turn(fields));
@@ -88,7 +91,8 @@ class SceneReader {
     s.elevationLastDeg = fields.number("elevationLast", -180, 180, s.elevationLastDeg);
     s.continuousHead = fields.flag("continuousHead", s.continuousHead);
     s.maxRange = fields.number("maxRange", 0.1, 1000, s.maxRange);
-    if (std::int64_t{s.lines} * s.beams > kMostNeurons) fields.fail("", "lines × beams is more than 64 million");
+    if (std::int64_t{s.lines} * s.beams > kMostNeurons)
+      fields.fail("", "lines × beams is more than 64 million");
     if (s.beams > 1 && s.beamFirstDeg >= s.beamLastDeg)
       fields.fail("beamLast", "must be greater than beamFirst", "beams run from left to right");
     if (s.lines > 1 && s.elevationFirstDeg == s.elevationLastDeg)
@@ -97,20 +101,26 @@ class SceneReader {
 
   void item(const Json& json, const std::string& place) {
     const std::string shape = json.is_object() && json.contains("shape") && json["shape"].is_string()
-                                  ? json["shape"].get<std::string>() : std::string();
+                                  ? json["shape"].get<std::string>()
+                                  : std::string();
     if (shape == "room" || shape == "box") return box(json, place, shape == "room");
     if (shape == "rectangle") return rectangle(json, place);
     if (shape == "cylinder") return cylinder(json, place);
     if (shape == "stairs") return stairs(json, place);
     if (!error_)
-      error_ = Error{{}, place + ".shape", "must be \"room\", \"box\", \"rectangle\", \"cylinder\" or \"stairs\"", {}};
+      error_ = Error{
+          {}, place + ".shape", "must be \"room\", \"box\", \"rectangle\", \"cylinder\" or \"stairs\"", {}};
   }
 
   void box(const Json& json, const std::string& place, bool room) {
-    JsonFields fields = room ? JsonFields(json, place, {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch",
-                                                        "yaw", "corner", "base", "size", "open"}, error_)
-                             : JsonFields(json, place, {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch",
-                                                        "yaw", "corner", "base", "size"}, error_);
+    JsonFields fields = room ? JsonFields(json, place,
+                                          {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch",
+                                           "yaw", "corner", "base", "size", "open"},
+                                          error_)
+                             : JsonFields(json, place,
+                                          {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch",
+                                           "yaw", "corner", "base", "size"},
+                                          error_);
     SceneBox result;
     result.side = room ? BoxSide::Inside : BoxSide::Outside;
     result.size = fields.size("size");
@@ -118,7 +128,8 @@ class SceneReader {
     if (fields.has("corner") == fields.has("base"))
       fields.fail("", "needs either \"corner\" or \"base\"", "base is the middle of the underside");
     const bool byCorner = fields.has("corner");
-    const Eigen::Vector3d anchor = fields.vector(byCorner ? "corner" : "base", kBound, Eigen::Vector3d::Zero());
+    const Eigen::Vector3d anchor =
+        fields.vector(byCorner ? "corner" : "base", kBound, Eigen::Vector3d::Zero());
     Eigen::Vector3d toCentre = result.size / 2;
     if (!byCorner) toCentre.head<2>().setZero();
     result.scene_T_box = pose(anchor + rotation * toCentre, rotation);
@@ -127,14 +138,18 @@ class SceneReader {
       bool known = false;
       for (size_t face = 0; face < 6; ++face)
         if (open[i] == kFaceNames[face]) known = result.faceOpen[face] = true;
-      if (!known) fields.fail(JsonFields::element("open", static_cast<int>(i)), "must be one of -x, +x, -y, +y, -z, +z");
+      if (!known)
+        fields.fail(JsonFields::element("open", static_cast<int>(i)),
+                    "must be one of -x, +x, -y, +y, -z, +z");
     }
     add(fields, result);
   }
 
   void rectangle(const Json& json, const std::string& place) {
-    JsonFields fields(json, place, {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch", "yaw", "corner",
-                                    "edgeU", "edgeV", "holes"}, error_);
+    JsonFields fields(json, place,
+                      {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch", "yaw", "corner",
+                       "edgeU", "edgeV", "holes"},
+                      error_);
     SceneRectangle result;
     const Eigen::Matrix3d rotation = turn(fields);
     result.corner = fields.vector("corner", kBound);
@@ -147,8 +162,8 @@ class SceneReader {
     for (size_t i = 0; i < holes.size(); ++i) {
       const std::string at = JsonFields::element("holes", static_cast<int>(i));
       JsonFields hole(holes[i], fields.placeOf(at), {"u", "v", "width", "height"}, error_);
-      const SceneRectangle::Hole cut{hole.number("u", 0, kBound), hole.number("v", 0, kBound), hole.length("width"),
-                                     hole.length("height")};
+      const SceneRectangle::Hole cut{hole.number("u", 0, kBound), hole.number("v", 0, kBound),
+                                     hole.length("width"), hole.length("height")};
       if (cut.u + cut.width > lengthU + 1e-9 || cut.v + cut.height > lengthV + 1e-9)
         hole.fail("", "reaches beyond the rectangle");
       result.holes.push_back(cut);
@@ -157,8 +172,10 @@ class SceneReader {
   }
 
   void cylinder(const Json& json, const std::string& place) {
-    JsonFields fields(json, place, {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch", "yaw", "from", "to",
-                                    "radius"}, error_);
+    JsonFields fields(
+        json, place,
+        {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch", "yaw", "from", "to", "radius"},
+        error_);
     SceneCylinder result;
     const Eigen::Matrix3d rotation = turn(fields);
     result.from = fields.vector("from", kBound);
@@ -171,8 +188,10 @@ class SceneReader {
 
   /// Solid steps, each a box from the ground up; what two of them share lies inside.
   void stairs(const Json& json, const std::string& place) {
-    JsonFields fields(json, place, {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch", "yaw", "corner",
-                                    "steps", "rise", "run", "width"}, error_);
+    JsonFields fields(json, place,
+                      {"shape", "name", "group", "roughness", "dropOut", "roll", "pitch", "yaw", "corner",
+                       "steps", "rise", "run", "width"},
+                      error_);
     const Eigen::Matrix3d rotation = turn(fields);
     const Eigen::Vector3d corner = fields.vector("corner", kBound);
     const int steps = fields.integer("steps", 1, 1000);
@@ -181,7 +200,8 @@ class SceneReader {
     for (int step = 0; step < steps && !error_; ++step) {
       SceneBox result;
       result.size = {run, width, rise * (step + 1)};
-      result.scene_T_box = pose(corner + rotation * Eigen::Vector3d(run * (step + 0.5), width / 2, result.size.z() / 2), rotation);
+      result.scene_T_box = pose(
+          corner + rotation * Eigen::Vector3d(run * (step + 0.5), width / 2, result.size.z() / 2), rotation);
       add(fields, result, ownGroup);
     }
   }
@@ -198,8 +218,10 @@ class SceneReader {
       item.group = known->second;
     }
     item.shape = std::move(shape);
-    if (scene_.items.size() == kMostItems) fields.fail("", "the scene has more than 5000 items, stairs counted by step");
-    else scene_.items.push_back(std::move(item));
+    if (scene_.items.size() == kMostItems)
+      fields.fail("", "the scene has more than 5000 items, stairs counted by step");
+    else
+      scene_.items.push_back(std::move(item));
   }
 
   Scene scene_;
@@ -211,7 +233,8 @@ class SceneReader {
 }  // namespace
 
 Expected<Scene> sceneFromJson(std::string_view text, const std::string& file) {
-  if (text.size() > kLargestText) return Error{file, "", "is larger than 4 MiB", "scenes are small; is this a scene?"};
+  if (text.size() > kLargestText)
+    return Error{file, "", "is larger than 4 MiB", "scenes are small; is this a scene?"};
   ParseGuard guard;
   Json json;
   try {

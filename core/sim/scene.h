@@ -14,8 +14,9 @@
 
 namespace stratascope {
 
-/// Surfaces of a scene, map frame, metres. Every flat face has a truth label of its own, counted from 10 in the order of the
-/// items and of the faces in each (SynPEB's convention: >= 10 is a plane); the curved mantle of a cylinder has label 3.
+/// Surfaces of a scene, map frame, metres. Every flat face has a truth label of its own, counted from 10 in
+/// the order of the items and of the faces in each (SynPEB's convention: >= 10 is a plane); the curved mantle
+/// of a cylinder has label 3.
 
 enum class BoxSide : std::uint8_t { Outside, Inside };
 
@@ -49,10 +50,11 @@ struct SceneScanner {
   Eigen::Isometry3d scene_T_sensor = Eigen::Isometry3d::Identity();
   int lines = 515;
   int beams = 361;
-  double beamFirstDeg = 0, beamLastDeg = 180;        ///< φ, left to right
+  double beamFirstDeg = 0, beamLastDeg = 180;             ///< φ, left to right
   double elevationFirstDeg = -15, elevationLastDeg = 90;  ///< head elevation α of the first and last line
   bool continuousHead = false;  ///< head turns while the mirror spins: one head angle a beam
-  double maxRange = 8.183;      ///< farther = missing; up to 32.767 the scanner tells millimetres, beyond centimetres
+  /// Farther = missing. Up to 32.767 m the scanner tells millimetres, beyond centimetres.
+  double maxRange = 8.183;
 };
 
 struct Scene {
@@ -62,20 +64,22 @@ struct Scene {
   struct Item {
     std::string name;
     SceneShape shape;
-    /// Faces of items of one group that lie in one plane, facing the same way, share a label (the sides of a stair); -1 = no group.
+    /// Faces of items of one group that lie in one plane, facing the same way, share a label (the sides of a
+    /// stair); -1 = no group.
     int group = -1;
-    double roughness = 0;    ///< standard deviation of the surface itself, metres
-    double dropOut = 0;      ///< share of beams that come back with nothing (dark or mirror-like surface)
+    double roughness = 0;  ///< standard deviation of the surface itself, metres
+    double dropOut = 0;    ///< share of beams that come back with nothing (dark or mirror-like surface)
   };
-  std::vector<Item> items;   ///< stairs are written out as boxes by the reader
+  std::vector<Item> items;  ///< stairs are written out as boxes by the reader
 };
 
 inline constexpr std::uint32_t kTruthNothing = 0;
 inline constexpr std::uint32_t kTruthCurved = 3;
 inline constexpr std::uint32_t kTruthFirstPlane = 10;
 
-/// JSON, documented in resources/help/scenes.md. Unknown or repeated keys, wrong types, non-positive sizes are errors naming the
-/// place ("items[3].size"). Bounded: 4 MiB of text, 5,000 items (stairs written out), 64 million neurons.
+/// JSON, documented in resources/help/scenes.md. Unknown or repeated keys, wrong types, non-positive sizes
+/// are errors naming the place ("items[3].size"). Bounded: 4 MiB of text, 5,000 items (stairs written out),
+/// 64 million neurons.
 Expected<Scene> sceneFromJson(std::string_view json, const std::string& file);
 Expected<Scene> loadScene(const std::string& path);
 

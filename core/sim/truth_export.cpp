@@ -11,7 +11,8 @@ namespace stratascope {
 std::string truthPcd(const SimulatedScan& simulated) {
   const Grid<std::uint32_t>& labels = simulated.truthLabels;
   std::string file =
-      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z label\n"
+      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z "
+      "label\n"
       "SIZE 4 4 4 4 4 4 4\nTYPE F F F F F F U\nCOUNT 1 1 1 1 1 1 1\n";
   file += "WIDTH " + std::to_string(labels.cols()) + "\nHEIGHT " + std::to_string(labels.rows()) + "\n";
   file += "VIEWPOINT " + pcdViewpoint(simulated.scan.pose.scan_T_sensor) + "\n";

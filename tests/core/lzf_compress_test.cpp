@@ -31,7 +31,8 @@ std::string unpack(const std::string& packed) {
 TEST(LzfCompress, RoundTripOfManyKindsOfBytes) {
   std::mt19937 random(1);
   for (int alphabet : {1, 2, 3, 17, 256}) {
-    for (size_t size : {0, 1, 2, 3, 4, 31, 32, 33, 64, 65, 263, 264, 265, 266, 1000, 8192, 8193, 8200, 70000}) {
+    for (size_t size :
+         {0, 1, 2, 3, 4, 31, 32, 33, 64, 65, 263, 264, 265, 266, 1000, 8192, 8193, 8200, 70000}) {
       std::string bytes(size, '\0');
       for (char& c : bytes) c = static_cast<char>(random() % static_cast<unsigned>(alphabet));
       ASSERT_EQ(unpack(lzfCompress(bytes)), bytes) << "alphabet " << alphabet << ", size " << size;

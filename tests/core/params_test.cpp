@@ -274,3 +274,15 @@ TEST(Params, LoadingRefusesWhatIsNoFile) {
   ASSERT_TRUE(p) << p.error().message();
   EXPECT_EQ(*p, allDifferent());
 }
+
+TEST(Params, HelpPageListsEveryParameterWithItsDefault) {
+  std::ifstream stream(std::string(STRATASCOPE_SOURCE_DIR) + "/resources/help/command_line.md");
+  ASSERT_TRUE(stream);
+  const std::string page{std::istreambuf_iterator<char>(stream), {}};
+  for (const ParamInfo& info : paramTable()) {
+    std::string option = info.key;
+    std::replace(option.begin(), option.end(), '_', '-');
+    const std::string row = "\n| `--" + option + "` | " + paramText(info, {}) + " | ";
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+}

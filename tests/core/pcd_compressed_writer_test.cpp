@@ -44,12 +44,15 @@ void expectBody(const std::string& file, const std::vector<Vector3f>& points) {
 }
 
 TEST(PcdCompressed, HeaderAndColumns) {
-  std::vector<Vector3f> points{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {-1, -2, -3}, {kNaNf, kNaNf, kNaNf}, {0.5f, 1e-7f, 2e6f}};
+  std::vector<Vector3f> points{{1, 2, 3},          {4, 5, 6}, {7, 8, 9}, {-1, -2, -3}, {kNaNf, kNaNf, kNaNf},
+                               {0.5f, 1e-7f, 2e6f}};
   Scan scan = scanOf(points, 3);
-  scan.pose.scan_T_sensor.translate(Eigen::Vector3d(0.1, -2, 1.25)).rotate(Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitZ()));
+  scan.pose.scan_T_sensor.translate(Eigen::Vector3d(0.1, -2, 1.25))
+      .rotate(Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitZ()));
   const std::string file = pcdCompressed(scan);
   EXPECT_EQ(file.substr(0, file.find("VIEWPOINT")),
-            "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+            "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F "
+            "F\nCOUNT 1 1 1\n"
             "WIDTH 3\nHEIGHT 2\n");
   EXPECT_NE(file.find("VIEWPOINT 0.1 -2 1.25 "), std::string::npos);
   EXPECT_NE(file.find("\nPOINTS 6\nDATA binary_compressed\n"), std::string::npos);

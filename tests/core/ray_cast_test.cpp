@@ -70,7 +70,8 @@ TEST(RayCast, TurnedBoxEqualsItsSixRectangles) {
   std::uniform_real_distribution<double> length(0.2, 3), place(-6, 6);
   int hits = 0;
   for (int trial = 0; trial < 40; ++trial) {
-    SceneBox box = boxAt({place(random), place(random), place(random)}, {length(random), length(random), length(random)});
+    SceneBox box = boxAt({place(random), place(random), place(random)},
+                         {length(random), length(random), length(random)});
     box.scene_T_box.rotate(Eigen::AngleAxisd(place(random), randomDirection(random)));
     const Scene solid = sceneOf({box});
     Scene faces;
@@ -81,8 +82,8 @@ TEST(RayCast, TurnedBoxEqualsItsSixRectangles) {
         u[(axis + 1) % 3] = box.size[(axis + 1) % 3];
         v[(axis + 2) % 3] = box.size[(axis + 2) % 3];
         faces.items.emplace_back();
-        faces.items.back().shape = SceneRectangle{box.scene_T_box * corner, box.scene_T_box.rotation() * u,
-                                                  box.scene_T_box.rotation() * v, {}};
+        faces.items.back().shape = SceneRectangle{
+            box.scene_T_box * corner, box.scene_T_box.rotation() * u, box.scene_T_box.rotation() * v, {}};
       }
     }
     const Vector3d origin(0, 0, 0);
@@ -90,7 +91,8 @@ TEST(RayCast, TurnedBoxEqualsItsSixRectangles) {
     const RayCaster a(solid, origin), b(faces, origin);
     for (int i = 0; i < 3000; ++i) {
       Vector3d direction = randomDirection(random);
-      if (i % 2 == 0) direction = (box.scene_T_box.translation() + length(random) * 0.5 * direction).normalized();
+      if (i % 2 == 0)
+        direction = (box.scene_T_box.translation() + length(random) * 0.5 * direction).normalized();
       const RayHit first = a.cast(direction), second = b.cast(direction);
       ASSERT_EQ(first.label, second.label);
       if (!first) continue;
@@ -119,7 +121,8 @@ TEST(RayCast, RectangleEdgesHolesAndBothSides) {
 
 TEST(RayCast, SkewedRectangleIsAParallelogram) {
   const RayCaster caster(sceneOf({SceneRectangle{{2, 0, 0}, {0, 2, 0}, {0, 1, 1}, {}}}), {0, 0, 0});
-  for (const auto& [y, z, inside] : {std::tuple{0.6, 0.5, true}, {0.4, 0.5, false}, {2.4, 0.5, true}, {2.6, 0.5, false}})
+  for (const auto& [y, z, inside] :
+       {std::tuple{0.6, 0.5, true}, {0.4, 0.5, false}, {2.4, 0.5, true}, {2.6, 0.5, false}})
     EXPECT_EQ(static_cast<bool>(caster.cast(Vector3d(2, y, z).normalized())), inside) << y << ' ' << z;
 }
 
@@ -145,7 +148,9 @@ TEST(RayCast, RandomCylindersAgainstWalkingAlongTheRay) {
   std::uniform_real_distribution<double> place(-4, 4), radius(0.1, 1);
   int hits = 0;
   for (int trial = 0; trial < 30; ++trial) {
-    const SceneCylinder c{{place(random), place(random), place(random)}, {place(random), place(random), place(random)}, radius(random)};
+    const SceneCylinder c{{place(random), place(random), place(random)},
+                          {place(random), place(random), place(random)},
+                          radius(random)};
     const Vector3d axis = (c.to - c.from).normalized(), origin(0, 0, 7);
     auto depth = [&](const Vector3d& p) {  // > 0 inside
       const double along = (p - c.from).dot(axis);
@@ -170,7 +175,8 @@ TEST(RayCast, RandomCylindersAgainstWalkingAlongTheRay) {
 
 TEST(RayCast, NearestWinsAndTiesGoToTheFirstItem) {
   const SceneRectangle wall{{3, -2, -2}, {0, 4, 0}, {0, 0, 4}, {}};
-  const RayCaster tie(sceneOf({wall, boxAt({4, 0, 0}, {2, 1, 1}), SceneCylinder{{3, 0, 0}, {9, 0, 0}, 0.5}}), {0, 0, 0});
+  const RayCaster tie(sceneOf({wall, boxAt({4, 0, 0}, {2, 1, 1}), SceneCylinder{{3, 0, 0}, {9, 0, 0}, 0.5}}),
+                      {0, 0, 0});
   EXPECT_EQ(tie.cast({1, 0, 0}).item, 0);
   const RayCaster boxFirst(sceneOf({boxAt({4, 0, 0}, {2, 1, 1}), wall}), {0, 0, 0});
   EXPECT_EQ(boxFirst.cast({1, 0, 0}).item, 0);
@@ -183,9 +189,11 @@ TEST(RayCast, GroupsShareLabelsOfFacesInOnePlane) {
   const Scene apart = sceneOf({left, right}), together = sceneOf({left, right}, 0);
   const Vector3d toLeft = Vector3d(4, -0.5, 0).normalized(), toRight = Vector3d(4, 0.5, 1).normalized();
   EXPECT_NE(RayCaster(apart, {0, 0, 0}).cast(toLeft).label, RayCaster(apart, {0, 0, 0}).cast(toRight).label);
-  EXPECT_EQ(RayCaster(together, {0, 0, 0}).cast(toLeft).label, RayCaster(together, {0, 0, 0}).cast(toRight).label);
+  EXPECT_EQ(RayCaster(together, {0, 0, 0}).cast(toLeft).label,
+            RayCaster(together, {0, 0, 0}).cast(toRight).label);
   // their tops lie at different heights
-  EXPECT_NE(RayCaster(together, {5, -0.5, 9}).cast({0, 0, -1}).label, RayCaster(together, {5, 0.5, 9}).cast({0, 0, -1}).label);
+  EXPECT_NE(RayCaster(together, {5, -0.5, 9}).cast({0, 0, -1}).label,
+            RayCaster(together, {5, 0.5, 9}).cast({0, 0, -1}).label);
   EXPECT_EQ(RayCaster(apart, {0, 0, 0}).labelEnd(), kTruthFirstPlane + 12);
   EXPECT_EQ(RayCaster(together, {0, 0, 0}).labelEnd(), kTruthFirstPlane + 10);  // −x and +x faces are shared
 }

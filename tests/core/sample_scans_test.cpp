@@ -34,8 +34,8 @@ TEST_P(SampleScans, IsWhatItsSceneGives) {
 
   const SimulatedScan simulated = simulateScan(*scene, {.seed = seed});
   const std::string made = pcdCompressed(simulated.scan), stored = bytesOf(kFolder + name + ".pcd");
-  EXPECT_TRUE(made == stored) << name << ".pcd (" << stored.size() << " bytes) is not what its scene gives (" << made.size()
-                              << " bytes); make it again as sample_scans/README.md says";
+  EXPECT_TRUE(made == stored) << name << ".pcd (" << stored.size() << " bytes) is not what its scene gives ("
+                              << made.size() << " bytes); make it again as sample_scans/README.md says";
 
   // a place, not a toy: many planes, each with its label, and nearly every beam answered
   std::map<std::uint32_t, int> counts;

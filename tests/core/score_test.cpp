@@ -8,6 +8,8 @@
 #include <random>
 
 #include "base/units.h"
+#include "sim/scan_simulator.h"
+#include "support/random_room.h"
 
 namespace stratascope {
 namespace {
@@ -28,7 +30,8 @@ SegmentationScore score(const Labels& truth, const Labels& found, ScoreOptions o
   return scoreSegmentation(input, options);
 }
 
-void expectCounts(const SegmentationScore& s, size_t correct, size_t over, size_t under, size_t missed, size_t noise) {
+void expectCounts(const SegmentationScore& s, size_t correct, size_t over, size_t under, size_t missed,
+                  size_t noise) {
   EXPECT_EQ(s.correct, correct) << "correct";
   EXPECT_EQ(s.over, over) << "over";
   EXPECT_EQ(s.under, under) << "under";
@@ -37,7 +40,8 @@ void expectCounts(const SegmentationScore& s, size_t correct, size_t over, size_
 }
 
 TEST(Score, SameRegionsUnderOtherNamesAreAllCorrect) {
-  const auto s = score(runs({{10, 200}, {0, 50}, {11, 300}, {12, 100}}), runs({{7, 200}, {0, 50}, {1, 300}, {99, 100}}));
+  const auto s =
+      score(runs({{10, 200}, {0, 50}, {11, 300}, {12, 100}}), runs({{7, 200}, {0, 50}, {1, 300}, {99, 100}}));
   expectCounts(s, 3, 0, 0, 0, 0);
   EXPECT_DOUBLE_EQ(s.share, 1);
   ASSERT_EQ(s.pairs.size(), 3u);
@@ -53,7 +57,8 @@ TEST(Score, CorrectNeedsTheToleranceOnBothSidesAndReachingItExactlyIsEnough) {
   // all true pixels, 100 of 125 and of 126 found ones: pixels outside any true region count in |M|
   expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 125}, {0, 75}})), 1, 0, 0, 0, 0);
   expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 126}, {0, 74}})), 0, 0, 0, 1, 1);
-  expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 60}, {0, 140}}), {.overlap = 0.6}), 1, 0, 0, 0, 0);
+  expectCounts(score(runs({{10, 100}, {0, 100}}), runs({{1, 60}, {0, 140}}), {.overlap = 0.6}), 1, 0, 0, 0,
+               0);
 }
 
 TEST(Score, OneTrueRegionInPiecesIsOverSegmented) {
@@ -105,10 +110,12 @@ TEST(Score, DoubleClassificationGoesToTheHigherScore) {
 
 TEST(Score, EqualScoresPreferCorrect) {
   // Correct with 1: 144/192 and 1 → 0.875. In two: pieces 1 and 24/32 → 0.875, cover 168/192 = 0.875.
-  const auto s = score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 24}, {2, 32}, {0, 42}}), {.overlap = 0.75});
+  const auto s =
+      score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 24}, {2, 32}, {0, 42}}), {.overlap = 0.75});
   expectCounts(s, 1, 0, 0, 0, 1);
   // one pixel more inside makes the pieces better
-  const auto over = score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 23}, {2, 32}, {0, 43}}), {.overlap = 0.75});
+  const auto over =
+      score(runs({{10, 192}, {0, 50}}), runs({{1, 144}, {0, 23}, {2, 32}, {0, 43}}), {.overlap = 0.75});
   expectCounts(over, 0, 1, 0, 0, 0);
 }
 
@@ -124,7 +131,8 @@ TEST(Score, UnderAgainstCorrect) {
 }
 
 TEST(Score, SmallAndCurvedTruthIsNotCounted) {
-  const auto s = score(runs({{10, 99}, {11, 100}, {3, 500}, {9, 500}}), runs({{0, 99}, {2, 100}, {5, 500}, {0, 500}}));
+  const auto s =
+      score(runs({{10, 99}, {11, 100}, {3, 500}, {9, 500}}), runs({{0, 99}, {2, 100}, {5, 500}, {0, 500}}));
   EXPECT_EQ(s.truthRegions, 1u);
   expectCounts(s, 1, 0, 0, 0, 1);
   EXPECT_EQ(s.noiseOutside, 1u);  // the region on the curved surface
@@ -140,7 +148,8 @@ TEST(Score, EveryRegionIsClassifiedOnceWhateverTheLabels) {
     found.resize(truth.size());
     if (trial % 2 == 0)  // mostly right, so that all verdicts occur
       for (size_t i = 0; i < truth.size(); ++i)
-        if (random() % 10 != 0) found[i] = truth[i] / (trial % 4 == 0 ? 2 : 1) * 3 + (trial % 3 == 0 ? i % 2 : 0);
+        if (random() % 10 != 0)
+          found[i] = truth[i] / (trial % 4 == 0 ? 2 : 1) * 3 + (trial % 3 == 0 ? i % 2 : 0);
     const auto s = score(truth, found, {.overlap = 0.51 + 0.1 * (trial % 5), .minTruthPixels = 20});
     std::map<RegionVerdict, size_t> truths, founds;
     for (const auto& [label, verdict] : s.ofTruth) ++truths[verdict];
@@ -160,11 +169,12 @@ TEST(Score, EveryRegionIsClassifiedOnceWhateverTheLabels) {
 }
 
 class ScoreAngles : public ::testing::Test {
- protected:
+protected:
   // A 20 × 20 patch at z = 0, label 10, found as 1, with normals tilted by `tilt` degrees about y.
   void fill(double tilt) {
     const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-    const Eigen::Vector3f tilted(static_cast<float>(std::sin(degToRad(tilt))), 0, static_cast<float>(std::cos(degToRad(tilt))));
+    const Eigen::Vector3f tilted(static_cast<float>(std::sin(degToRad(tilt))), 0,
+                                 static_cast<float>(std::cos(degToRad(tilt))));
     for (int i = 0; i < 400; ++i) {
       const float x = static_cast<float>(i % 20), y = static_cast<float>(i / 20);
       truthPoints.emplace_back(x, y, 0.f);
@@ -192,7 +202,8 @@ TEST_F(ScoreAngles, PlaneAngleFromEachSource) {
   input.truthNormals = {};
   input.truthPoints = truthPoints;
   EXPECT_NEAR(*scoreSegmentation(input).planeAngleMaxDeg, 3, 1e-4);
-  input.foundPlaneNormals[1] = {0, std::sin(degToRad(7)), -std::cos(degToRad(7))};  // signs do not matter for planes
+  input.foundPlaneNormals[1] = {0, std::sin(degToRad(7)),
+                                -std::cos(degToRad(7))};  // signs do not matter for planes
   EXPECT_NEAR(*scoreSegmentation(input).pairs.at(0).angleErrorDeg, 7, 1e-4);
 }
 
@@ -222,6 +233,34 @@ TEST_F(ScoreAngles, WithoutAnyNormalOrRegionNothingIsMadeUp) {
   EXPECT_FALSE(s.normalMedianDeg.has_value());
   EXPECT_FALSE(s.planeAngleMeanDeg.has_value());
   EXPECT_FALSE(scoreSegmentation({}).normalWithin10.has_value());
+}
+
+// The truth of a room scores as perfect, and planes fitted to its noisy points come close to the true ones.
+TEST(Score, TruthOfASimulatedRoomIsPerfect) {
+  Scene scene = test::randomRoom(3);
+  scene.scanner.lines = 172;
+  scene.scanner.beams = 181;
+  const SimulatedScan simulated = simulateScan(scene, {.seed = 3});
+  Labels found(simulated.truthLabels.values().begin(), simulated.truthLabels.values().end());
+  for (std::uint32_t& label : found) label = label >= kTruthFirstPlane ? label + 1000 : 0;
+  ScoreInput input;
+  input.truthLabels = simulated.truthLabels.values();
+  input.truthNormals = simulated.truthNormals.values();
+  input.foundLabels = found;
+  input.foundNormals = simulated.truthNormals.values();
+  const auto perfect = scoreSegmentation(input);
+  EXPECT_GE(perfect.truthRegions, 10u);
+  EXPECT_EQ(perfect.correct, perfect.truthRegions);
+  EXPECT_EQ(perfect.noise, perfect.foundRegions - perfect.truthRegions);  // regions below 100 pixels
+  EXPECT_DOUBLE_EQ(perfect.share, 1);
+  EXPECT_DOUBLE_EQ(*perfect.normalWithin10, 1);
+  EXPECT_LT(*perfect.planeAngleMaxDeg, 1e-3);
+
+  input.foundPoints = simulated.scan.lattice->points().values();
+  const auto fitted = scoreSegmentation(input);
+  EXPECT_EQ(fitted.correct, fitted.truthRegions);
+  EXPECT_GT(*fitted.planeAngleMedianDeg, 1e-3);
+  EXPECT_LT(*fitted.planeAngleMedianDeg, 1.5);
 }
 
 TEST(Score, BadCallsThrow) {

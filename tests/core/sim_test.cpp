@@ -27,8 +27,11 @@ Scene parse(const std::string& json) {
 }
 
 // A 9 × 8 × 3 m room about the sensor, which stands 1 m above the floor.
-Scene plainRoom(const std::string& scanner = "{\"lines\": 106, \"beams\": 91}", const std::string& more = "") {
-  return parse("{\"scanner\": " + scanner + ", \"items\": [{\"shape\": \"room\", \"corner\": [-3, -4, 0], \"size\": [9, 8, 3]" + more + "}]}");
+Scene plainRoom(const std::string& scanner = "{\"lines\": 106, \"beams\": 91}",
+                const std::string& more = "") {
+  return parse("{\"scanner\": " + scanner +
+               ", \"items\": [{\"shape\": \"room\", \"corner\": [-3, -4, 0], \"size\": [9, 8, 3]" + more +
+               "}]}");
 }
 
 bool sameBits(std::span<const Vector3f> a, std::span<const Vector3f> b) {
@@ -68,7 +71,8 @@ TEST(Simulate, TruthRangesOfARoomFollowTheClosedForm) {
   for (int line = 0; line < 106; ++line) {
     for (int beam = 0; beam < 91; ++beam) {
       const double elevation = degToRad(-15.0 + line), phi = degToRad(2.0 * beam);
-      const Vector3d d(std::cos(elevation) * std::sin(phi), std::cos(phi), std::sin(elevation) * std::sin(phi));
+      const Vector3d d(std::cos(elevation) * std::sin(phi), std::cos(phi),
+                       std::sin(elevation) * std::sin(phi));
       double range = 1e9;
       for (int axis = 0; axis < 3; ++axis)
         if (std::abs(d[axis]) > 1e-12) range = std::min(range, (d[axis] > 0 ? high : low)[axis] / d[axis]);
@@ -77,7 +81,8 @@ TEST(Simulate, TruthRangesOfARoomFollowTheClosedForm) {
       ASSERT_LT((s.truthPoints({line, beam}) - expected).norm(), 2e-6) << line << ' ' << beam;
     }
   }
-  EXPECT_TRUE(sameBits(s.truthPoints.values(), s.scan.lattice->points().values())) << "without noise the scan is the truth";
+  EXPECT_TRUE(sameBits(s.truthPoints.values(), s.scan.lattice->points().values()))
+      << "without noise the scan is the truth";
   EXPECT_EQ(s.scan.lattice->missingCount(), 0u);
 }
 
@@ -109,10 +114,13 @@ TEST(Simulate, TruthPointsLieOnTheirPlanesAndNormalsFaceTheSensor) {
 TEST(Simulate, ScannerPoseMovesTheScanRigidly) {
   // Turning scanner and room together by 30° about z turns the cloud by 30°.
   const std::string room = "\"shape\": \"room\", \"size\": [6, 5, 3]";
-  const Scene straight = parse("{\"scanner\": {\"lines\": 40, \"beams\": 61}, \"items\": [{" + room + ", \"base\": [1, 0, 0]}]}");
-  const Scene turned = parse("{\"scanner\": {\"lines\": 40, \"beams\": 61, \"yaw\": 30}, \"items\": [{" + room +
-                             ", \"yaw\": 30, \"base\": [" + std::to_string(std::cos(kPi / 6)) + ", 0.5, 0]}]}");
-  const SimulatedScan a = simulateScan(straight, {.noise = NoiseModel::None}), b = simulateScan(turned, {.noise = NoiseModel::None});
+  const Scene straight = parse("{\"scanner\": {\"lines\": 40, \"beams\": 61}, \"items\": [{" + room +
+                               ", \"base\": [1, 0, 0]}]}");
+  const Scene turned =
+      parse("{\"scanner\": {\"lines\": 40, \"beams\": 61, \"yaw\": 30}, \"items\": [{" + room +
+            ", \"yaw\": 30, \"base\": [" + std::to_string(std::cos(kPi / 6)) + ", 0.5, 0]}]}");
+  const SimulatedScan a = simulateScan(straight, {.noise = NoiseModel::None}),
+                      b = simulateScan(turned, {.noise = NoiseModel::None});
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(kPi / 6, Vector3d::UnitZ()).toRotationMatrix();
   for (size_t i = 0; i < a.truthPoints.size(); ++i)
     ASSERT_LT((turn * a.truthPoints[i].cast<double>() - b.truthPoints[i].cast<double>()).norm(), 1e-5);
@@ -142,7 +150,8 @@ TEST(Simulate, FirstBeamLooksLeftFirstLineDownAndTheContinuousHeadLagsBehind) {
 // One frontal wall: what is left after truth is noise alone.
 TEST(Simulate, NoiseHasTheStatedMeanAndDeviation) {
   for (const double sigma : {0.0, 0.005, 0.015}) {
-    const Scene scene = parse(R"({"scanner": {"lines": 200, "beams": 200, "beamFirst": 75, "beamLast": 105, "elevationFirst": -10,
+    const Scene scene = parse(
+        R"({"scanner": {"lines": 200, "beams": 200, "beamFirst": 75, "beamLast": 105, "elevationFirst": -10,
       "elevationLast": 10}, "items": [{"shape": "rectangle", "corner": [4, -3, 0], "edgeU": [0, 6, 0], "edgeV": [0, 0, 3]}]})");
     double lowestBias = 1, highestBias = -1;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -169,7 +178,8 @@ TEST(Simulate, NoiseHasTheStatedMeanAndDeviation) {
       }
       ASSERT_GT(free, 30000u);
       // rounding to 1 mm adds 1/√12 mm, the ripple within a 2 cm ring at most 2 cm · 2π·5 mm / 5 m / √12
-      const double variance = squares / static_cast<double>(free), rounding = 1e-6 / 12, ripple = std::pow(0.02 * 2 * kPi * 0.001, 2) / 12;
+      const double variance = squares / static_cast<double>(free), rounding = 1e-6 / 12,
+                   ripple = std::pow(0.02 * 2 * kPi * 0.001, 2) / 12;
       const double spread = 4 * (sigma * sigma + rounding) * std::sqrt(2.0 / static_cast<double>(free));
       EXPECT_GE(variance, sigma * sigma + rounding * (sigma > 0 ? 0.9 : 0.5) - spread) << sigma;
       EXPECT_LE(variance, sigma * sigma + rounding * 1.1 + ripple + spread) << sigma;
@@ -179,7 +189,8 @@ TEST(Simulate, NoiseHasTheStatedMeanAndDeviation) {
 }
 
 TEST(Simulate, RoughnessAddsToTheNoise) {
-  const Scene rough = parse(R"({"scanner": {"lines": 100, "beams": 100, "beamFirst": 89, "beamLast": 91, "elevationFirst": -1,
+  const Scene rough =
+      parse(R"({"scanner": {"lines": 100, "beams": 100, "beamFirst": 89, "beamLast": 91, "elevationFirst": -1,
     "elevationLast": 1}, "items": [{"shape": "rectangle", "corner": [4, -3, 0], "edgeU": [0, 6, 0], "edgeV": [0, 0, 3],
     "roughness": 0.012}]})");
   const SimulatedScan s = simulateScan(rough, {.sigma = 0.005});
@@ -231,14 +242,18 @@ TEST(Simulate, DropOutsComeAtTheStatedShare) {
   EXPECT_EQ(simulateScan(scene, {.noise = NoiseModel::None}).scan.lattice->missingCount(), 0u);
 }
 
-// A post in front of a wall. Away from its borders ranges are near the truth; at them they lie between the two surfaces
-// (small step) or on either of them (large step).
+// A post in front of a wall. Away from its borders ranges are near the truth; at them they lie between the
+// two surfaces (small step) or on either of them (large step).
 TEST(Simulate, MixedPixelsAppearAtDepthStepsOnly) {
   for (const double gap : {0.2, 2.0}) {
-    const Scene scene = parse("{\"scanner\": {\"lines\": 60, \"beams\": 361, \"beamFirst\": 60, \"beamLast\": 120, \"elevationFirst\": -3, "
-      "\"elevationLast\": 3}, \"items\": [{\"shape\": \"rectangle\", \"corner\": [" + std::to_string(3 + gap) +
-      ", -5, -3], \"edgeU\": [0, 10, 0], \"edgeV\": [0, 0, 8]}, "
-      "{\"shape\": \"rectangle\", \"corner\": [3, -0.3, -3], \"edgeU\": [0, 0.6, 0], \"edgeV\": [0, 0, 8]}]}");
+    const Scene scene = parse(
+        "{\"scanner\": {\"lines\": 60, \"beams\": 361, \"beamFirst\": 60, \"beamLast\": 120, "
+        "\"elevationFirst\": -3, "
+        "\"elevationLast\": 3}, \"items\": [{\"shape\": \"rectangle\", \"corner\": [" +
+        std::to_string(3 + gap) +
+        ", -5, -3], \"edgeU\": [0, 10, 0], \"edgeV\": [0, 0, 8]}, "
+        "{\"shape\": \"rectangle\", \"corner\": [3, -0.3, -3], \"edgeU\": [0, 0.6, 0], \"edgeV\": [0, 0, "
+        "8]}]}");
     const SimulatedScan s = simulateScan(scene, {.sigma = 0.001});
     int between = 0, swapped = 0;
     const double width = 0.01 + 0.0045 * 3.2;  // spot, not smaller than here
@@ -253,8 +268,10 @@ TEST(Simulate, MixedPixelsAppearAtDepthStepsOnly) {
       // the slanted gap, seen from the sensor
       const double step = gap / std::cos(std::atan(0.1));
       std::abs(error) > step - 0.03 ? ++swapped : ++between;
-      if (gap > 1) ASSERT_NEAR(std::abs(error), step, 0.03);
-      else ASSERT_LT(std::abs(error), step / 2 + 0.03) << "the centre covers more than half";
+      if (gap > 1)
+        ASSERT_NEAR(std::abs(error), step, 0.03);
+      else
+        ASSERT_LT(std::abs(error), step / 2 + 0.03) << "the centre covers more than half";
     }
     if (gap > 1) {
       EXPECT_GT(swapped, 20);

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "io/scan_io.h"
-#include "support/scan_files.h"
 
 namespace stratascope::test {
 
@@ -22,12 +21,10 @@ long peakKiB() {
 }  // namespace
 
 void expectAllRefused(const std::string& extension, const std::vector<HostileFile>& files) {
-  const TemporaryFolder folder;
+  const std::string path = "/nowhere/hostile" + extension;
   const long before = peakKiB();
   for (const HostileFile& file : files) {
-    const std::string path = folder / ("hostile" + extension);
-    putFile(path, file.bytes);
-    const auto scan = readScan(path);
+    const auto scan = readScanBytes(path, file.bytes);
     EXPECT_FALSE(scan) << "accepted: " << file.name;
     if (scan) continue;
     const std::string message = scan.error().message();
@@ -40,8 +37,6 @@ void expectAllRefused(const std::string& extension, const std::vector<HostileFil
 }
 
 int readDamagedCopies(const std::string& extension, const std::string& valid, int copies, std::uint32_t seed) {
-  const TemporaryFolder folder;
-  const std::string path = folder / ("damaged" + extension);
   std::mt19937 random(seed);
   const auto below = [&](size_t n) { return static_cast<size_t>(random() % n); };
   int refused = 0;
@@ -57,8 +52,7 @@ int readDamagedCopies(const std::string& extension, const std::string& valid, in
         default: bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
       }
     }
-    putFile(path, bytes);
-    const auto scan = readScan(path);
+    const auto scan = readScanBytes("/nowhere/damaged" + extension, bytes);
     refused += !scan;
     if (!scan) continue;
     EXPECT_NE(scan->lattice, nullptr);

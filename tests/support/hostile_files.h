@@ -14,14 +14,14 @@ struct HostileFile {
   std::string bytes;
 };
 
-/// Every file must be refused by readScan with one line that names it, without a large allocation.
+/// Every file must be refused by readScanBytes with one line that names it, without a large allocation.
 void expectAllRefused(const std::string& extension, const std::vector<HostileFile>& files);
 
 /// Reads many damaged copies of a valid file (bytes changed, cut out, doubled). Each must give an error or a scan that is
 /// whole in itself. Returns how many were refused.
 int readDamagedCopies(const std::string& extension, const std::string& valid, int copies, std::uint32_t seed);
 
-/// The file cut after n bytes, for every n: call(n, path).
+/// The file cut after n bytes, for every n: call(n, the n bytes).
 template <class Call>
 void forEveryPrefix(const std::string& bytes, Call call) {
   for (size_t n = 0; n < bytes.size(); ++n) call(n, bytes.substr(0, n));

@@ -9,8 +9,10 @@ namespace stratascope::test {
 namespace {
 
 class RoomMaker {
- public:
-  explicit RoomMaker(std::uint64_t seed) : noise_(seed) { scene_.name = "random room " + std::to_string(seed); }
+public:
+  explicit RoomMaker(std::uint64_t seed) : noise_(seed) {
+    scene_.name = "random room " + std::to_string(seed);
+  }
 
   Scene make() {
     size_ = {between(5.0, 7.5), between(4.0, 6.0), between(2.5, 3.2)};
@@ -36,32 +38,38 @@ class RoomMaker {
       while (x < size_.x() - 1.8) {
         const double length = between(0.8, 1.6), depth = between(0.5, 0.8);
         const double at = left ? size_.y() - depth - wallClear : wallClear;
-        if (chance(0.55)) table({x, at, 0}, {length, depth, between(0.68, 0.78)});
-        else box("chest", {x, at, 0}, {length, depth, between(0.4, 1.5)});
+        if (chance(0.55))
+          table({x, at, 0}, {length, depth, between(0.68, 0.78)});
+        else
+          box("chest", {x, at, 0}, {length, depth, between(0.4, 1.5)});
         x += length + between(0.5, 1.3);
       }
     }
     if (chance(0.5)) {
       const double side = between(0.25, 0.45);
-      box("pillar", {between(0.55, 0.7) * size_.x(), between(0.25, 0.7) * size_.y(), 0}, {side, side, size_.z()});
+      box("pillar", {between(0.55, 0.7) * size_.x(), between(0.25, 0.7) * size_.y(), 0},
+          {side, side, size_.z()});
     }
-    if (chance(0.4)) box("crate", {robot_.x() + between(1.2, 1.8), robot_.y() + between(-0.7, 0.3), 0},
-                         {between(0.4, 0.7), between(0.4, 0.7), between(0.2, 0.6)}, BoxSide::Outside, between(-45, 45));
+    if (chance(0.4))
+      box("crate", {robot_.x() + between(1.2, 1.8), robot_.y() + between(-0.7, 0.3), 0},
+          {between(0.4, 0.7), between(0.4, 0.7), between(0.2, 0.6)}, BoxSide::Outside, between(-45, 45));
     if (chance(0.4)) {
       const double depth = between(0.2, 0.35);
-      box("beam", {between(0.4, 0.6) * size_.x(), 0, size_.z() - depth}, {between(0.2, 0.4), size_.y(), depth});
+      box("beam", {between(0.4, 0.6) * size_.x(), 0, size_.z() - depth},
+          {between(0.2, 0.4), size_.y(), depth});
     }
     if (chance(0.4)) pipes();
     scene_.scanner.scene_T_sensor.translation().z() = between(0.8, 1.2);
     return std::move(scene_);
   }
 
- private:
+private:
   double between(double low, double high) { return low + (high - low) * noise_.uniform(0, 0, draw_++); }
   bool chance(double share) { return between(0, 1) < share; }
 
   Eigen::Vector3d toScene(const Eigen::Vector3d& inRoom) const {
-    return Eigen::AngleAxisd(yaw_, Eigen::Vector3d::UnitZ()) * (inRoom - Eigen::Vector3d(robot_.x(), robot_.y(), 0));
+    return Eigen::AngleAxisd(yaw_, Eigen::Vector3d::UnitZ()) *
+           (inRoom - Eigen::Vector3d(robot_.x(), robot_.y(), 0));
   }
   void add(const char* name, SceneShape shape) {
     Scene::Item item;
@@ -71,8 +79,8 @@ class RoomMaker {
     scene_.items.push_back(std::move(item));
   }
   /// `corner` in the room's own axes; turned about its middle by `turnDeg` against them.
-  void box(const char* name, const Eigen::Vector3d& corner, const Eigen::Vector3d& size, BoxSide side = BoxSide::Outside,
-           double turnDeg = 0) {
+  void box(const char* name, const Eigen::Vector3d& corner, const Eigen::Vector3d& size,
+           BoxSide side = BoxSide::Outside, double turnDeg = 0) {
     SceneBox result;
     result.size = size;
     result.side = side;
@@ -101,7 +109,8 @@ class RoomMaker {
     const double y = between(0.2, 0.8) * size_.y();
     for (int i = 0; i < 2; ++i) {
       const double at = y + i * (2 * radius + 0.1);
-      add("pipe", SceneCylinder{toScene({0.05, at, height}), toScene({size_.x() - 0.05, at, height}), radius});
+      add("pipe",
+          SceneCylinder{toScene({0.05, at, height}), toScene({size_.x() - 0.05, at, height}), radius});
     }
   }
 
@@ -115,6 +124,8 @@ class RoomMaker {
 
 }  // namespace
 
-Scene randomRoom(std::uint64_t seed) { return RoomMaker(seed).make(); }
+Scene randomRoom(std::uint64_t seed) {
+  return RoomMaker(seed).make();
+}
 
 }  // namespace stratascope::test

@@ -8,9 +8,10 @@
 
 namespace stratascope::test {
 
-/// A furnished room, different for every seed and the same for equal seeds: walls turned against the robot, tables, cabinets,
-/// shelves, perhaps a pillar, a beam under the ceiling, a board, pipes. Ten to twenty or so flat faces show 100 neurons or more.
-/// The scanner is at x = y = 0, 0.8 to 1.2 m above the floor z = 0; full size, 515 lines of 361 beams, unless changed afterwards.
+/// A furnished room, different for every seed and the same for equal seeds: walls turned against the robot,
+/// tables, cabinets, shelves, perhaps a pillar, a beam under the ceiling, a board, pipes. Ten to twenty or so
+/// flat faces show 100 neurons or more. The scanner is at x = y = 0, 0.8 to 1.2 m above the floor z = 0; full
+/// size, 515 lines of 361 beams, unless changed afterwards.
 Scene randomRoom(std::uint64_t seed);
 
 }  // namespace stratascope::test
