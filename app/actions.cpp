@@ -79,7 +79,7 @@ void Actions::buildEditMenu() {
   needResult_.push_back(add(edit, tr("&Copy as command line"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
                             [this] { window_.copyCommandLine(); }));
   edit->addSeparator();
-  add(edit, tr("Clear selectio&n"), {}, {}, {}, [this] { window_.selection().clear(); });
+  add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {}, [this] { window_.selection().clear(); });
 }
 
 void Actions::buildViewMenu() {

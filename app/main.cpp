@@ -38,7 +38,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   PipelineParams params;
   if (!arguments.paramsFile.empty()) {
     const auto loaded = loadParams(arguments.paramsFile);
-    if (!loaded) return complain(loaded.error().message(), 2);
+    if (!loaded) return complain(loaded.error().message(), 1);
     params = *loaded;
   }
 

@@ -191,6 +191,7 @@ void ParamPanel::addNumber(QVBoxLayout* layout, const ParamInfo& info) {
     spin->setSuffix(unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
   for (QWidget* w : {static_cast<QWidget*>(slider), static_cast<QWidget*>(spin)}) {
     w->setToolTip(tooltip(info));
+    w->setAccessibleName(QString::fromUtf8(info.label));
     w->setFocusPolicy(Qt::StrongFocus);
     w->installEventFilter(new WheelGuard(w));
   }

@@ -101,6 +101,7 @@ PlaneTable::PlaneTable(Selection& selection, QWidget* parent) : QTableView(paren
   setModel(sorted);
   setSortingEnabled(true);
   sortByColumn(kNumber, Qt::AscendingOrder);
+  horizontalHeader()->setSortIndicatorShown(false);  // its room is needed for the numbers
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);
   setShowGrid(false);

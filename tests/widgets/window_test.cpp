@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
+#include <QMouseEvent>
 #include <QProcess>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -280,6 +281,35 @@ TEST_F(Window, ClickedCellIsTheFirstOneOnTheRay) {
     for (VtkView* v : {static_cast<VtkView*>(window_->views().columns()), static_cast<VtkView*>(window_->views().boxes())})
       EXPECT_GT(countNear(pictureOf(v), kHighlight, 10), 5);
   }
+}
+
+TEST_F(Window, DraggingTurnsAllViewsAndSelectsNothing) {
+  CloudView* view = window_->views().cloud();
+  const Eigen::Matrix4d before = view->projection().ndc_T_map;
+  const auto drag = [&] {
+    QWidget* canvas = view->canvas();
+    QPoint at(canvas->width() / 2, canvas->height() / 2);
+    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
+    for (int i = 0; i < 8; ++i) {
+      at += QPoint(9, 4);
+      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(canvas, &move);
+    }
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+    QTest::qWait(400);
+  };
+  drag();
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(window_->selection().get()));
+  EXPECT_FALSE(before.isApprox(view->projection().ndc_T_map, 1e-3));
+  const auto eye = [](VtkView* v) { return v->rayAt({5, 5}).origin; };
+  EXPECT_TRUE(eye(view).isApprox(eye(window_->views().columns()), 1e-9));
+  EXPECT_TRUE(eye(view).isApprox(eye(window_->views().boxes()), 1e-9));
+
+  window_->views().setLinked(false);
+  const Eigen::Vector3d alone = eye(window_->views().boxes());
+  drag();
+  EXPECT_TRUE(alone.isApprox(eye(window_->views().boxes()), 1e-12));
+  EXPECT_FALSE(alone.isApprox(eye(view), 1e-3));
 }
 
 TEST_F(Window, SelectedPlaneLightsUpEverywhere) {
