@@ -40,7 +40,7 @@ ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eige
   try {
     for (size_t i = 0; i < paths.size(); ++i) {
       ReadOptions options;
-      if (!poses.empty()) options.pose = poses[std::min(i, poses.size() - 1)];
+      if (!poses.empty()) options.pose = poses[i];
       Expected<Scan> scan = readScan(paths[i], options);
       if (!scan) {
         out.error = QString::fromStdString(scan.error().message());
@@ -59,6 +59,7 @@ ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eige
 
 void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
   if (paths.isEmpty()) return;
+  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()), "openFiles: one pose a file, or none");
   std::vector<std::string> names;
   for (const QString& path : paths) names.push_back(native(path));
   const int request = ++requested_;
