@@ -52,7 +52,7 @@ void Actions::buildFileMenu() {
   reload_ = add(file, tr("Re&load"), "reload", QKeySequence(Qt::Key_F5), tr("Read the files again"),
                 [this] { window_.reload(); });
   file->addSeparator();
-  export_ = add(file, tr("&Export…"), "export", QKeySequence(Qt::CTRL | Qt::Key_E),
+  export_ = add(file, tr("&Export…"), "export", QKeySequence(QStringLiteral("Ctrl+E")),
                 tr("Write cloud, planes, edges and both maps into a folder"), [this] { window_.exportResultsTo(); });
   picture_ = add(file, tr("&Save picture…"), "picture", QKeySequence::Save, tr("Save a picture of the views"),
                  [this] { window_.savePicture(); });
@@ -76,10 +76,10 @@ void Actions::buildEditMenu() {
   QMenu* edit = window_.menuBar()->addMenu(tr("&Edit"));
   add(edit, tr("&Load parameters…"), {}, {}, {}, [this] { window_.loadParamsFrom(); });
   add(edit, tr("&Save parameters…"), {}, {}, {}, [this] { window_.saveParamsTo(); });
-  needResult_.push_back(add(edit, tr("&Copy as command line"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), {},
+  needResult_.push_back(add(edit, tr("&Copy as command line"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
                             [this] { window_.copyCommandLine(); }));
   edit->addSeparator();
-  add(edit, tr("Clear selectio&n"), {}, {}, {}, [this] { window_.selection().clear(); });
+  add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {}, [this] { window_.selection().clear(); });
 }
 
 void Actions::buildViewMenu() {
@@ -133,9 +133,9 @@ void Actions::buildToolBar(CutControl& cut) {
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   for (QAction* action : {open_, reload_, export_, picture_}) bar->addAction(action);
   for (QAction* action : {open_, export_}) {
+    action->setIconText(action->text().remove('&').remove(QStringLiteral("…")));
     auto* button = static_cast<QToolButton*>(bar->widgetForAction(action));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setText(action->text().remove('&').remove(QStringLiteral("…")));
   }
   bar->addSeparator();
   bar->addAction(reset_);

@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QApplication>
 #include <QFile>
-#include <QIcon>
 #include <CLI/CLI.hpp>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "app/batch.h"
+#include "app/cli/param_options.h"
 #include "app/main_window.h"
 #include "io/export.h"
-#include "params/param_table.h"
 #include "widgets/theme.h"
 #include "widgets/vtk_view.h"
 
 namespace {
 
 struct Arguments {
-  std::vector<std::string> files, poses;
-  std::string paramsFile, batch, theme = "system", size;
+  std::vector<std::string> files;
+  stratascope::cli::ParamOptions params;
+  std::string batch, theme = "system", size;
 };
 
 int complain(const std::string& message, int status) {
@@ -28,21 +29,23 @@ int complain(const std::string& message, int status) {
   return status;
 }
 
+/// Where Qt would abort, as without a display, the program says why in one line and ends. Qt's warnings are for developers.
+void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type != QtFatalMsg && type != QtCriticalMsg) return;
+  std::fprintf(stderr, "stratascope: %s\n", text.simplified().toLocal8Bit().constData());
+  if (type == QtFatalMsg) std::_Exit(1);
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   using namespace stratascope;
-  std::vector<Eigen::Isometry3d> poses;
-  for (const std::string& text : arguments.poses) {
-    const auto pose = poseFromText(text);
-    if (!pose) return complain(pose.error().message(), 2);
-    poses.push_back(*pose);
-  }
-  PipelineParams params;
-  if (!arguments.paramsFile.empty()) {
-    const auto loaded = loadParams(arguments.paramsFile);
-    if (!loaded) return complain(loaded.error().message(), 2);
-    params = *loaded;
-  }
+  const auto settings = arguments.params.settings();
+  if (!settings) return complain(settings.error().message(), 1);
+  if (const size_t poses = settings->poses.size(); poses > 0 && poses != arguments.files.size())
+    return complain("--pose: " + std::to_string(poses) + " poses for " + std::to_string(arguments.files.size()) +
+                        " scans; give one a scan",
+                    2);
 
+  qInstallMessageHandler(onQtMessage);
   prepareOpenGl();
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
@@ -54,12 +57,12 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QApplication app(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has just taken the user's
   if (const QString problem = openGlProblem(); !problem.isEmpty()) return complain(problem.toStdString(), 1);
-  app.setWindowIcon(QIcon(":/icons/stratascope.svg"));
-  applyTheme(arguments.theme == "dark" ? Theme::Dark : arguments.theme == "light" ? Theme::Light : Theme::System);
+  applyTheme(Theme::System);
 
   const bool batch = !arguments.batch.empty();
   MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
-  window.setParams(params);
+  if (arguments.theme != "system") applyTheme(arguments.theme == "dark" ? Theme::Dark : Theme::Light);
+  window.setParams(settings->params);
   if (batch) {
     const QSize size = arguments.size == "small" ? QSize(1280, 800) : QSize(1600, 1000);
     window.resize(size);
@@ -68,7 +71,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   window.show();
   QStringList files;
   for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
-  window.openFiles(files, poses);
+  window.openFiles(files, settings->poses);
   return app.exec();
 }
 
@@ -78,9 +81,7 @@ int main(int argc, char** argv) {
   CLI::App cli{"Stratascope: 2.5D and extended 2.5D maps from rotating laser scans, in a window"};
   Arguments arguments;
   cli.add_option("files", arguments.files, "Scans to open; several go into one map");
-  cli.add_option("--params", arguments.paramsFile, "Parameters from a JSON file");
-  cli.add_option("--pose", arguments.poses,
-                 "x,y,z,roll,pitch,yaw of the sensor in the map (metres, degrees), once a file: for scans in the sensor's own frame");
+  arguments.params.addTo(cli);
   cli.add_option("--batch", arguments.batch,
                  "Show the window, write window.png and all results into this folder when done, and quit");
   cli.add_option("--theme", arguments.theme, "system, light or dark")->check(CLI::IsMember({"system", "light", "dark"}));
@@ -92,7 +93,10 @@ int main(int argc, char** argv) {
     if (!arguments.batch.empty() && arguments.files.empty()) return complain("--batch needs a scan to open", 2);
     return runWindow(argc, argv, arguments);
   } catch (const CLI::ParseError& e) {
-    return cli.exit(e) == 0 ? 0 : 2;
+    if (e.get_exit_code() == 0) return cli.exit(e);  // --help, --version
+    return complain(std::string(e.what()) + " (--help tells more)", 2);
+  } catch (const stratascope::cli::BadArguments& e) {
+    return complain(std::string(e.what()) + " (--help tells more)", 2);
   } catch (const std::exception& e) {
     return complain(e.what(), 3);
   }

@@ -25,9 +25,14 @@
 #include "widgets/status_strip.h"
 #include "widgets/view_area.h"
 
+// A static library's resources are left out unless asked for; the macro must stand outside any namespace.
+static void initResources() { Q_INIT_RESOURCE(stratascope); }
+
 namespace stratascope {
 
 MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
+  initResources();
+  setWindowIcon(QIcon(QStringLiteral(":/icons/stratascope.svg")));
   setWindowTitle(tr("Stratascope"));
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -52,7 +57,12 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
 
   cut_ = new CutControl;
   status_ = new StatusStrip;
-  hint_ = new QLabel(tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move"));
+  hint_ = new QLabel;
+  noteEnds_ = new QTimer(this);
+  noteEnds_->setSingleShot(true);
+  noteEnds_->setInterval(7000);
+  connect(noteEnds_, &QTimer::timeout, this, [this] { note({}); });
+  note({});
   hint_->setObjectName("muted");
   hint_->setContentsMargins(8, 0, 0, 0);
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -84,7 +94,7 @@ void MainWindow::buildDocks() {
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
   auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
-  resizeDocks({left, upper}, {290, 310}, Qt::Horizontal);
+  resizeDocks({left, upper}, {290, 345}, Qt::Horizontal);
   resizeDocks({upper, lower}, {400, 420}, Qt::Vertical);
 }
 
@@ -143,16 +153,13 @@ void MainWindow::takeGeometry() {
   if (!otherScans) return;
 
   pages_->setCurrentWidget(views_);
-  QStringList names, notes;
+  QStringList names;
   for (const ScanPtr& scan : scans) {
     if (!scan) continue;
     names << QString::fromStdString(scan->name);
-    for (const std::string& note : scan->notes) notes << QString::fromStdString(note);
   }
   setWindowTitle(tr("%1 — Stratascope").arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
                                                              : names.join(QStringLiteral(", "))));
-  hint_->setToolTip(notes.join('\n'));
-  if (!notes.isEmpty()) statusBar()->showMessage(notes.join(QStringLiteral("  ·  ")), 8000);
   // The views get their size in the next turn of the event loop.
   QTimer::singleShot(0, this, [this] { views_->look(ViewDirection::Iso); });
 }
@@ -160,6 +167,14 @@ void MainWindow::takeGeometry() {
 void MainWindow::showError(const QString& message) {
   message_->showError(message);
   emit failed(message);
+}
+
+void MainWindow::note(const QString& text) {
+  hint_->setText(text.isEmpty() ? tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move") : text);
+  if (text.isEmpty())
+    noteEnds_->stop();
+  else
+    noteEnds_->start();
 }
 
 void MainWindow::showProgress() {
@@ -184,13 +199,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   session_->save(*this);
   bridge_->cancel();
   QMainWindow::closeEvent(event);
-}
-
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape)
-    selection_.clear();
-  else
-    QMainWindow::keyPressEvent(event);
 }
 
 }  // namespace stratascope

@@ -15,6 +15,7 @@
 
 class QLabel;
 class QStackedWidget;
+class QTimer;
 
 namespace stratascope {
 
@@ -71,7 +72,6 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void buildDocks();
@@ -79,6 +79,8 @@ class MainWindow : public QMainWindow {
   void takeGeometry();
   void showError(const QString& message);
   void showProgress();
+  /// For a few seconds in place of the hint.
+  void note(const QString& text);
   void exportTo(const QString& directory);
 
   Selection selection_;
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
   CutControl* cut_;
   StatusStrip* status_;
   QLabel* hint_;
+  QTimer* noteEnds_;
   Session* session_;
   Actions* actions_;
 

@@ -7,7 +7,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QStatusBar>
 
 #include "app/main_window.h"
 #include "app/session.h"
@@ -41,7 +40,7 @@ ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eige
   try {
     for (size_t i = 0; i < paths.size(); ++i) {
       ReadOptions options;
-      if (!poses.empty()) options.pose = poses[std::min(i, poses.size() - 1)];
+      if (!poses.empty()) options.pose = poses[i];
       Expected<Scan> scan = readScan(paths[i], options);
       if (!scan) {
         out.error = QString::fromStdString(scan.error().message());
@@ -60,6 +59,7 @@ ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eige
 
 void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
   if (paths.isEmpty()) return;
+  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()), "openFiles: one pose a file, or none");
   std::vector<std::string> names;
   for (const QString& path : paths) names.push_back(native(path));
   const int request = ++requested_;
@@ -104,7 +104,7 @@ void MainWindow::exportResultsTo() {
 
 void MainWindow::exportTo(const QString& directory) {
   const SnapshotPtr result = snapshot();
-  statusBar()->showMessage(tr("Exporting to %1 …").arg(directory));
+  note(tr("Exporting to %1 …").arg(directory));
   background_.run(
       this,
       [result, folder = native(directory)]() -> QString {
@@ -116,9 +116,9 @@ void MainWindow::exportTo(const QString& directory) {
         }
       },
       [this, directory](const QString& error) {
-        statusBar()->clearMessage();
+        note({});
         if (error.isEmpty())
-          statusBar()->showMessage(tr("Exported to %1").arg(directory), 6000);
+          note(tr("Exported to %1").arg(directory));
         else
           showError(error);
       });
@@ -132,7 +132,7 @@ void MainWindow::savePicture() {
       this, tr("Save picture of the views"), session_->lastDirectory() + QStringLiteral("/stratascope.png"), tr("PNG (*.png)"));
   if (path.isEmpty()) return;
   if (picture.save(path, path.endsWith(".png", Qt::CaseInsensitive) ? nullptr : "PNG"))
-    statusBar()->showMessage(tr("Saved %1").arg(path), 6000);
+    note(tr("Saved %1").arg(path));
   else
     showError(tr("%1: cannot be written; choose another folder").arg(path));
 }
@@ -163,7 +163,7 @@ void MainWindow::copyCommandLine() {
   const QString options = QString::fromStdString(paramsAsOptions(params_->params()));
   if (!options.isEmpty()) words << options;
   QApplication::clipboard()->setText(words.join(' '));
-  statusBar()->showMessage(tr("Copied: %1").arg(words.join(' ')), 6000);
+  note(tr("Copied: %1").arg(words.join(' ')));
 }
 
 void MainWindow::showAbout() {

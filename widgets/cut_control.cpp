@@ -49,6 +49,7 @@ CutControl::CutControl(QWidget* parent) : QWidget(parent) {
   layout->addWidget(slider_);
   layout->addWidget(spin_);
   layout->addWidget(automatic_);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   setEnabled(false);
 
   connect(slider_, &QSlider::valueChanged, this, [this](int v) { choose(low_ + v * kStep); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "widgets/text_format.h"
 
@@ -66,14 +67,23 @@ void MapView::pick(QPoint position) {
 
 void MapView::markCell(OverlayActor& overlay, CellIndex cell) const {
   const ViewGeometry& g = *geometry_;
+  // A needle above everything shown, so that a cell behind a wall is found as well.
+  const auto pin = [&](double from) {
+    const Eigen::Vector2d at = g.snapshot->cells->frame.centre(cell);
+    const double to = g.scale.high + 0.2 * (g.scale.high - g.scale.low);
+    overlay.addSegment({at.x(), at.y(), from}, {at.x(), at.y(), to});
+  };
   if (kind_ == Kind::Columns) {
     const MapFrame& frame = g.snapshot->cells->frame;
     if (!frame.contains(cell)) return;
     const double z = (*g.columnHeights)[frame.offset(cell)];
     if (!std::isnan(z)) overlay.addCellBox(frame, cell, std::min(g.base, z), z);
+    pin(std::isnan(z) ? g.base : z);
     return;
   }
   const IntervalMap& map = *g.snapshot->intervalMap;
+  if (!map.frame.contains(cell)) return;
+  pin(g.base);
   for (const HeightInterval& r : map.cell(cell)) {
     if (r.min > g.cut) break;
     const double high = std::min<double>(r.max, g.cut);
@@ -118,7 +128,7 @@ void MapView::highlight() {
       markPlane(*label);
     }
     marked_.commit(g.cut);
-    cell_.commit(g.cut);
+    cell_.commit(std::numeric_limits<double>::infinity());
   }
   scheduleRender();
 }

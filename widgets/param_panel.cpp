@@ -34,8 +34,8 @@ class WheelGuard : public QObject {
   }
 };
 
-QString stageTitle(const char* stage) {
-  QString text = QString::fromUtf8(stage).replace('_', ' ');
+QString stageTitle(QString text) {
+  text.replace('_', ' ');
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
@@ -58,20 +58,22 @@ QString caption(const ParamInfo& info) {
 }  // namespace
 
 int SliderScale::steps() const {
-  return logarithmic() ? 400 : std::clamp(static_cast<int>(std::lround((maximum - minimum) / step)), 1, 100000);
+  return logarithmic() || quadratic() ? 400 : std::clamp(static_cast<int>(std::lround((maximum - minimum) / step)), 1, 100000);
 }
 
 int SliderScale::position(double v) const {
   v = std::clamp(v, minimum, maximum);
-  const double share = logarithmic() ? std::log(v / minimum) / std::log(maximum / minimum)
-                                     : (maximum > minimum ? (v - minimum) / (maximum - minimum) : 0);
+  if (!(maximum > minimum)) return 0;
+  double share = (v - minimum) / (maximum - minimum);
+  if (logarithmic()) share = std::log(v / minimum) / std::log(maximum / minimum);
+  if (quadratic()) share = std::sqrt(share);
   return static_cast<int>(std::lround(share * steps()));
 }
 
 double SliderScale::value(int position) const {
   const double share = static_cast<double>(position) / steps();
-  const double raw =
-      logarithmic() ? minimum * std::pow(maximum / minimum, share) : minimum + share * (maximum - minimum);
+  const double even = minimum + (quadratic() ? share * share : share) * (maximum - minimum);
+  const double raw = logarithmic() ? minimum * std::pow(maximum / minimum, share) : even;
   // Divided, not multiplied: 7 / 100 is the same number as the text "0.07", 7 · 0.01 is not.
   const double parts = std::round(1 / step);
   const bool decimal = parts >= 1 && std::abs(1 / step - parts) < 1e-6;
@@ -115,16 +117,15 @@ ParamPanel::ParamPanel(QWidget* parent) : QWidget(parent) {
   auto* more = new QVBoxLayout(advanced_);
   more->setContentsMargins(0, 0, 0, 0);
   more->setSpacing(4);
-  QString group;
-  for (const ParamInfo& info : paramTable()) {
-    if (info.basic) continue;
-    if (const QString title = stageTitle(info.stage); title != group) {
-      group = title;
-      auto* label = new QLabel(title);
-      label->setObjectName("groupTitle");
-      more->addWidget(label);
-    }
-    addRow(more, info);
+  QStringList stages;
+  for (const ParamInfo& info : paramTable())
+    if (!info.basic && !stages.contains(QString::fromUtf8(info.stage))) stages << QString::fromUtf8(info.stage);
+  for (const QString& stage : stages) {
+    auto* label = new QLabel(stageTitle(stage));
+    label->setObjectName("groupTitle");
+    more->addWidget(label);
+    for (const ParamInfo& info : paramTable())
+      if (!info.basic && stage == QString::fromUtf8(info.stage)) addRow(more, info);
   }
   advanced_->hide();
   layout->addWidget(advanced_);
@@ -190,6 +191,7 @@ void ParamPanel::addNumber(QVBoxLayout* layout, const ParamInfo& info) {
     spin->setSuffix(unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
   for (QWidget* w : {static_cast<QWidget*>(slider), static_cast<QWidget*>(spin)}) {
     w->setToolTip(tooltip(info));
+    w->setAccessibleName(QString::fromUtf8(info.label));
     w->setFocusPolicy(Qt::StrongFocus);
     w->installEventFilter(new WheelGuard(w));
   }

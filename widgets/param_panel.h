@@ -42,8 +42,8 @@ class ParamPanel : public QWidget {
   QWidget* advanced_;
 };
 
-/// Where a value stands on a slider of 0 … steps, and back, rounded to the parameter's step. Even steps, or even ratios where the
-/// range spans more than a factor of fifty.
+/// Where a value stands on a slider of 0 … steps, and back, rounded to the parameter's step. Even steps; where the
+/// range is wide, finer ones at its lower end: even ratios, or even steps of the root if it begins at 0.
 struct SliderScale {
   double minimum, maximum, step;
   int steps() const;
@@ -52,6 +52,7 @@ struct SliderScale {
 
  private:
   bool logarithmic() const { return minimum > 0 && maximum / minimum > 50; }
+  bool quadratic() const { return minimum == 0 && maximum / step >= 200; }
 };
 
 }  // namespace stratascope

@@ -47,7 +47,7 @@ class PlaneModel : public QAbstractTableModel {
     if (role == Qt::TextAlignmentRole) return QVariant(section >= kPoints ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
     switch (section) {
-      case kNumber: return tr("Plane");
+      case kNumber: return tr("#");
       case kClass: return tr("Class");
       case kPoints: return tr("Points");
       case kArea: return tr("m²");
@@ -101,6 +101,7 @@ PlaneTable::PlaneTable(Selection& selection, QWidget* parent) : QTableView(paren
   setModel(sorted);
   setSortingEnabled(true);
   sortByColumn(kNumber, Qt::AscendingOrder);
+  horizontalHeader()->setSortIndicatorShown(false);  // its room is needed for the numbers
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);
   setShowGrid(false);
@@ -109,10 +110,10 @@ PlaneTable::PlaneTable(Selection& selection, QWidget* parent) : QTableView(paren
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
   horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  horizontalHeader()->setSectionResizeMode(kNumber, QHeaderView::ResizeToContents);
-  horizontalHeader()->setSectionResizeMode(kClass, QHeaderView::ResizeToContents);
-  horizontalHeader()->setMinimumSectionSize(40);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(kClass, QHeaderView::Stretch);
+  horizontalHeader()->setMinimumSectionSize(34);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
   connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this, sorted](const QModelIndex& now) {
     if (!following_ && now.isValid()) selection_.set(model_->plane(sorted->mapToSource(now).row()).label);

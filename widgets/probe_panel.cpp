@@ -137,6 +137,32 @@ QString planeHtml(const Snapshot& s, PlaneLabel label, const QString& muted) {
   return page.html();
 }
 
+QString scansHtml(const Snapshot& s, const QString& muted) {
+  QString html;
+  for (const ScanProducts& products : s.scans) {
+    if (!products.scan) continue;
+    const Scan& scan = *products.scan;
+    Page page(muted, QString::fromStdString(scan.name).toHtmlEscaped());
+    page.row(QObject::tr("Format"), QString::fromStdString(scan.format).toHtmlEscaped());
+    if (scan.lattice) {
+      page.row(QObject::tr("Lattice"), QObject::tr("%1 lines × %2 beams").arg(scan.lattice->lines()).arg(scan.lattice->beams()));
+      page.row(QObject::tr("Missing returns"), countText(scan.lattice->missingCount()));
+    }
+    if (scan.unordered()) page.row(QObject::tr("Points in the file"), countText(scan.cloud.size()));
+    if (products.points) page.row(QObject::tr("Sensor at"), vectorText(products.points->sensor));
+    if (products.normals && std::isfinite(products.normals->noise.overall()))
+      page.row(QObject::tr("Range noise"), metresText(products.normals->noise.overall(), 4));
+    if (products.planes) page.row(QObject::tr("Planes"), countText(products.planes->planes.size()));
+    for (const std::string& note : scan.notes)
+      page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>").arg(muted, QString::fromStdString(note).toHtmlEscaped()));
+    if (products.planes)
+      for (const std::string& note : products.planes->notes)
+        page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>").arg(muted, QString::fromStdString(note).toHtmlEscaped()));
+    html += page.html();
+  }
+  return html;
+}
+
 }  // namespace
 
 ProbePanel::ProbePanel(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
@@ -163,10 +189,10 @@ void ProbePanel::refresh() {
   const QString muted = mutedText(palette()).name();
   const Selected& selected = selection_.get();
   QString html = QStringLiteral("<p style='color:%1'>%2</p>")
-                     .arg(muted, tr("Nothing selected. Click a point in the cloud, a cell in a map, or a plane in the list; "
-                                    "it lights up everywhere."));
+                     .arg(muted, tr("Click a point in the cloud, a cell in a map, or a plane in the list: it lights up everywhere."));
   if (geometry_) {
     const Snapshot& s = *geometry_->snapshot;
+    if (std::holds_alternative<std::monostate>(selected)) html += scansHtml(s, muted);
     if (const auto* point = std::get_if<PointRef>(&selected))
       html = pointHtml(s, *point, muted);
     else if (const auto* cell = std::get_if<CellIndex>(&selected); cell && s.cells)

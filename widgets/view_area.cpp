@@ -9,7 +9,6 @@ namespace stratascope {
 
 ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent) {
   cloud_ = new CloudView(selection);
-  cloud_->setProperty("role", "cloud");
   columns_ = new MapView(MapView::Kind::Columns, selection);
   boxes_ = new MapView(MapView::Kind::Boxes, selection);
   views_ = {cloud_, columns_, boxes_};

@@ -12,8 +12,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A ceiling hides the room from above; the cut goes this far below its lowest part.
 constexpr double kBelowCeiling = 0.15;
-// A "ceiling" plane smaller than this share of the largest one is a shelf's underside or the like.
-constexpr double kCeilingShare = 0.2;
+// A "ceiling" plane smaller than these shares of the largest one, and of the ground the map covers, is a shelf's underside
+// or the like.
+constexpr double kCeilingShare = 0.2, kGroundShare = 0.05;
 
 bool samePoints(const Snapshot& a, const Snapshot& b) {
   return std::ranges::equal(a.scans, b.scans, [](const ScanProducts& x, const ScanProducts& y) {
@@ -54,7 +55,12 @@ double quantile(std::vector<float>& values, double share) {
 }
 
 double automaticCut(const Snapshot& snapshot) {
-  double largest = 0, cut = kInfinity;
+  double largest = 0, ground = 0, cut = kInfinity;
+  if (snapshot.cells) {
+    const CellAssignment& cells = *snapshot.cells;
+    for (size_t o = 0; o < cells.frame.size(); ++o) ground += cells.first[o] < cells.first[o + 1];
+    ground *= cells.frame.cell * cells.frame.cell;
+  }
   const auto eachCeiling = [&](const auto& visit) {
     for (const ScanProducts& scan : snapshot.scans)
       if (scan.planes)
@@ -63,7 +69,7 @@ double automaticCut(const Snapshot& snapshot) {
   };
   eachCeiling([&](const Plane& p) { largest = std::max(largest, p.area); });
   eachCeiling([&](const Plane& p) {
-    if (p.area >= kCeilingShare * largest) cut = std::min(cut, p.centroid.z() - kBelowCeiling);
+    if (p.area >= kCeilingShare * largest && p.area >= kGroundShare * ground) cut = std::min(cut, p.centroid.z() - kBelowCeiling);
   });
   return cut;
 }
@@ -90,6 +96,20 @@ void measureExtent(ViewGeometry& g) {
   for (int a = 0; a < 3; ++a) {
     low[a] = quantile(axes[a], 0.01);
     high[a] = quantile(axes[a], 0.99);
+  }
+  if (g.snapshot->cells) {
+    // By cells, not by points: near walls have most of the points, but the maps show every cell alike.
+    const CellAssignment& cells = *g.snapshot->cells;
+    std::array<std::vector<float>, 2> centres;
+    for (size_t o = 0; o < cells.frame.size(); ++o) {
+      if (cells.first[o] == cells.first[o + 1] || !(cells.heights[cells.first[o]] <= g.cut)) continue;
+      const Eigen::Vector2d c = cells.frame.centre(cells.frame.index(o));
+      for (int a = 0; a < 2; ++a) centres[a].push_back(static_cast<float>(c[a]));
+    }
+    for (int a = 0; a < 2 && !centres[a].empty(); ++a) {
+      low[a] = quantile(centres[a], 0.015);
+      high[a] = quantile(centres[a], 0.985);
+    }
   }
   g.bounds = Eigen::AlignedBox3d(low, high);
   g.scale = {quantile(axes[2], 0.005), quantile(axes[2], 0.995)};

@@ -31,7 +31,6 @@ namespace {
 class UprightStyle : public vtkInteractorStyleTrackballCamera {
  public:
   static UprightStyle* New();
-  vtkTypeMacro(UprightStyle, vtkInteractorStyleTrackballCamera);
 
   void Rotate() override {
     if (!CurrentRenderer) return;
@@ -61,7 +60,7 @@ class UprightStyle : public vtkInteractorStyleTrackballCamera {
   void OnChar() override {}
   void OnKeyPress() override {}
 };
-vtkStandardNewMacro(UprightStyle);
+vtkStandardNewMacro(UprightStyle)
 
 void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
   vtkNew<vtkCallbackCommand> command;
@@ -158,7 +157,11 @@ QWidget* VtkView::canvas() const { return canvas_; }
 
 void VtkView::look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction) {
   const double aspect = static_cast<double>(std::max(1, canvas_->width())) / std::max(1, canvas_->height());
-  lookAt(*renderer_->GetActiveCamera(), box, viewing, direction, aspect);
+  // A legend as wide as half the picture gets a strip of its own, a narrow one stands beside the data.
+  const bool strip = legend_ && legend_->isVisible() && 2 * legend_->width() > canvas_->width();
+  const double covered =
+      strip ? std::min(0.4, (legend_->height() + 16.0) / std::max(1, canvas_->height())) : 0.0;
+  lookAt(*renderer_->GetActiveCamera(), box, viewing, direction, aspect, covered);
   scheduleRender();
 }
 

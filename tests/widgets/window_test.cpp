@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The window as a person uses it: opens a file, drags the real sliders, clicks, and must show what the core computes.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QImage>
+#include <QMouseEvent>
+#include <QProcess>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "app/main_window.h"
+#include "base/units.h"
+#include "io/scan_io.h"
+#include "pipeline/pipeline.h"
+#include "scan/scan_builder.h"
+#include "scan/scanner_geometry.h"
+#include "widgets/message_bar.h"
+#include "widgets/param_panel.h"
+#include "widgets/probe_panel.h"
+#include "widgets/theme.h"
+#include "widgets/view_area.h"
+
+namespace stratascope {
+namespace {
+
+// A room 4 m × 3 m × 2.5 m, the sensor 1 m over its floor, z = 0 at the sensor.
+constexpr double kAhead = 3, kBehind = -1, kLeft = 1.5, kRight = -1.5, kFloor = -1, kCeiling = 1.5;
+
+QString roomFile(const QString& folder) {
+  std::vector<float> beams;
+  for (int j = 0; j < 121; ++j) beams.push_back(static_cast<float>(kPi * j / 120));
+  ScanBuilder builder(beams);
+  for (int i = 0; i < 110; ++i) {
+    const double theta = headAngleFromElevation(degToRad(-50 + i * 1.25));
+    std::vector<float> ranges;
+    for (float phi : beams) {
+      const Eigen::Vector3d d(std::sin(theta) * std::sin(phi), std::cos(phi), std::cos(theta) * std::sin(phi));
+      double r = std::numeric_limits<double>::infinity();
+      const double low[3] = {kBehind, kRight, kFloor}, high[3] = {kAhead, kLeft, kCeiling};
+      for (int a = 0; a < 3; ++a)
+        if (std::abs(d[a]) > 1e-9) r = std::min(r, (d[a] > 0 ? high[a] : low[a]) / d[a]);
+      ranges.push_back(static_cast<float>(r));
+    }
+    const float head[1] = {static_cast<float>(theta)};
+    builder.appendPolarLine(ranges, head);
+  }
+  Scan scan;
+  scan.name = "room.pcd";
+  scan.lattice = builder.freeze();
+  const QString path = folder + "/room.pcd";
+  EXPECT_TRUE(writeScan(scan, path.toStdString()).hasValue());
+  return path;
+}
+
+/// What a person would wait for; fails after a minute.
+template <class Condition>
+bool waitFor(const Condition& condition) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition()) {
+    if (timer.elapsed() > 60000) return false;
+    QTest::qWait(10);
+  }
+  return true;
+}
+
+class Window : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(folder_.isValid());
+    path_ = roomFile(folder_.path());
+    window_ = std::make_unique<MainWindow>(MainWindow::Keep::Nothing);
+    window_->resize(1200, 800);
+    window_->show();
+    window_->openFiles({path_});
+    ASSERT_TRUE(settle());
+  }
+  bool settle() {
+    return waitFor([this] { return window_->snapshot() && window_->idle(); }) && (QTest::qWait(300), window_->idle());
+  }
+  /// The same parameters through the synchronous pipeline.
+  SnapshotPtr computed() {
+    auto scan = readScan(path_.toStdString());
+    EXPECT_TRUE(scan.hasValue());
+    Pipeline pipeline;
+    pipeline.setScans({std::make_shared<const Scan>(std::move(*scan))});
+    auto result = pipeline.run(window_->paramPanel().params());
+    EXPECT_TRUE(result.hasValue());
+    return *result;
+  }
+  void expectSameAsComputed() {
+    const SnapshotPtr shown = window_->snapshot(), right = computed();
+    ASSERT_TRUE(shown && right);
+    EXPECT_EQ(shown->params, right->params);
+    EXPECT_EQ(shown->scans[0].classes->classes, right->scans[0].classes->classes);
+    EXPECT_EQ(shown->scans[0].planes->labels, right->scans[0].planes->labels);
+    EXPECT_EQ(shown->intervalMap->frame, right->intervalMap->frame);
+    EXPECT_EQ(shown->intervalMap->first, right->intervalMap->first);
+    EXPECT_EQ(shown->intervalMap->records, right->intervalMap->records);
+    EXPECT_EQ(shown->objectMap->labels, right->objectMap->labels);
+  }
+  QImage pictureOf(VtkView* view) {
+    view->renderNow();
+    return view->canvas()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+  }
+  static int countNear(const QImage& image, Rgb colour, int tolerance) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QRgb p = image.pixel(x, y);
+        if (std::abs(qRed(p) - colour.r) <= tolerance && std::abs(qGreen(p) - colour.g) <= tolerance &&
+            std::abs(qBlue(p) - colour.b) <= tolerance)
+          ++count;
+      }
+    return count;
+  }
+  QSlider* slider(const char* key) { return window_->findChild<QSlider*>(QStringLiteral("slider_") + key); }
+
+  QTemporaryDir folder_;
+  QString path_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(Window, ShowsWhatTheCoreComputes) {
+  expectSameAsComputed();
+  ViewArea& views = window_->views();
+  const QImage cloud = pictureOf(views.cloud());
+  for (SurfaceClass c : {SurfaceClass::Facing, SurfaceClass::Side, SurfaceClass::Horizontal})
+    EXPECT_GT(countNear(cloud, classColour(c), 6), 300) << className(c);
+  // Columns and boxes: the lowest colour on the floor, and brighter ones on the walls.
+  for (MapView* map : {views.columns(), views.boxes()}) {
+    const QImage picture = pictureOf(map);
+    EXPECT_GT(countNear(picture, heightColour(0), 12), 1000);
+    int bright = 0;
+    for (int y = 0; y < picture.height() / 2; ++y)
+      for (int x = 0; x < picture.width(); ++x) bright += qGreen(picture.pixel(x, y)) > 150 && qBlue(picture.pixel(x, y)) < 120;
+    EXPECT_GT(bright, 50);
+  }
+}
+
+TEST_F(Window, CutsBelowTheCeilingAndKeepsTheResult) {
+  const ViewGeometry& g = *window_->bridge().geometry();
+  EXPECT_LT(g.cut, kCeiling - 0.05);
+  EXPECT_GT(g.cut, 0.5);
+  double shown = -10, whole = -10;
+  for (float z : *g.columnHeights)
+    if (!std::isnan(z)) shown = std::max<double>(shown, z);
+  for (float z : g.snapshot->heightMap->height)
+    if (!std::isnan(z)) whole = std::max<double>(whole, z);
+  EXPECT_LE(shown, g.cut);
+  EXPECT_NEAR(whole, kCeiling, 0.01);
+
+  auto* cut = window_->findChild<QSlider*>("cutSlider");
+  ASSERT_TRUE(cut);
+  cut->setValue(cut->maximum());
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(std::isinf(window_->bridge().geometry()->cut));
+  const auto& columns = *window_->bridge().geometry()->columnHeights;
+  const auto& heights = window_->snapshot()->heightMap->height;
+  ASSERT_EQ(columns.size(), heights.size());
+  for (size_t i = 0; i < columns.size(); ++i) EXPECT_TRUE(columns[i] == heights[i] || (std::isnan(columns[i]) && std::isnan(heights[i])));
+}
+
+TEST_F(Window, DraggedSlidersEndWithTheResultOfTheLastValue) {
+  const SnapshotPtr before = window_->snapshot();
+  for (const char* key : {"epsilon", "epsilon1", "epsilon2", "cell"}) {
+    QSlider* s = slider(key);
+    ASSERT_TRUE(s) << key;
+    const int from = s->value();
+    for (int step = 1; step <= 12; ++step) {
+      s->setValue(from + step);
+      QTest::qWait(5);
+    }
+    EXPECT_EQ(s->value(), from + 12) << key;
+  }
+  ASSERT_TRUE(settle());
+  EXPECT_NE(window_->snapshot()->params, before->params);
+  EXPECT_EQ(window_->snapshot()->params, window_->paramPanel().params());
+  expectSameAsComputed();
+}
+
+TEST_F(Window, EpsilonKeepsNormalsAndCamera) {
+  const SnapshotPtr before = window_->snapshot();
+  const Eigen::Matrix4d camera = window_->views().cloud()->projection().ndc_T_map;
+  slider("epsilon")->setValue(slider("epsilon")->value() + 7);
+  ASSERT_TRUE(settle());
+  const SnapshotPtr after = window_->snapshot();
+  EXPECT_NE(before, after);
+  EXPECT_EQ(before->scans[0].normals, after->scans[0].normals);
+  EXPECT_EQ(before->cells, after->cells);
+  EXPECT_NE(before->intervalMap, after->intervalMap);
+  EXPECT_TRUE(camera.isApprox(window_->views().cloud()->projection().ndc_T_map, 1e-9));
+}
+
+TEST_F(Window, ClickedPointIsTheNearestOneAndLightsUpInTheMaps) {
+  CloudView* view = window_->views().cloud();
+  const ViewGeometry& g = *window_->bridge().geometry();
+  const QImage plainMap = pictureOf(window_->views().columns());
+  // Aim at points that can be seen; each click must find something as near to the viewer, under the pointer.
+  int clicked = 0;
+  for (size_t i = 0; i < g.cloud->positions.size() && clicked < 10; i += 97) {
+    if (g.cloud->positions[i].z() > g.cut) continue;
+    const QPointF at = view->canvasPosition(g.cloud->positions[i].cast<double>());
+    if (!view->canvas()->rect().adjusted(20, 20, -20, -20).contains(at.toPoint())) continue;
+    QTest::mouseClick(view->canvas(), Qt::LeftButton, {}, at.toPoint());
+    ++clicked;
+    const auto* point = std::get_if<PointRef>(&window_->selection().get());
+    ASSERT_TRUE(point);
+    const Eigen::Vector3d found = positionOf(*g.snapshot, *point).cast<double>();
+    const QPointF there = view->canvasPosition(found);
+    EXPECT_LT(std::hypot(there.x() - at.toPoint().x(), there.y() - at.toPoint().y()), 6.0);
+    const Eigen::Vector3d eye = view->rayAt(at.toPoint()).origin;
+    EXPECT_LT((found - eye).norm(), (g.cloud->positions[i].cast<double>() - eye).norm() + 0.02);
+
+    const auto neuron = neuronOf(*g.snapshot, *point);
+    ASSERT_TRUE(neuron);
+    const QString text = window_->probePanel().plainText().simplified();
+    EXPECT_TRUE(text.contains(QStringLiteral("Line %1 Beam %2").arg(neuron->row).arg(neuron->col))) << text.toStdString();
+    EXPECT_TRUE(text.contains("Range") && text.contains("Normal") && text.contains("Cell")) << text.toStdString();
+  }
+  EXPECT_EQ(clicked, 10);
+  EXPECT_GT(countNear(pictureOf(view), kHighlight, 10), 40);
+  EXPECT_EQ(countNear(plainMap, kHighlight, 10), 0);
+}
+
+TEST_F(Window, ClickedCellIsTheFirstOneOnTheRay) {
+  const ViewGeometry& g = *window_->bridge().geometry();
+  const MapFrame& frame = g.snapshot->cells->frame;
+  for (MapView* view : {window_->views().columns(), window_->views().boxes()}) {
+    const bool columns = view == window_->views().columns();
+    const QSize size = view->canvas()->size();
+    int hits = 0;
+    for (int n = 0; n < 25; ++n) {
+      const QPoint at(size.width() * (n % 5 + 1) / 6, size.height() * (n / 5 + 1) / 6);
+      // Slow oracle: small steps along the ray.
+      const PickRay ray = view->rayAt(at);
+      const Eigen::Vector3d step = ray.direction.normalized() * 0.0005;
+      std::optional<CellIndex> right;
+      Eigen::Vector3d p = ray.origin;
+      for (int i = 0; i < 60000 && !right; ++i, p += step) {
+        const CellIndex c = frame.cellAt(p.x(), p.y());
+        if (!frame.contains(c)) continue;
+        // Whether something lies between the heights of this step: a floor is thinner than any step.
+        const double upper = std::max(p.z(), p.z() + step.z()), lower = std::min(p.z(), p.z() + step.z());
+        if (columns) {
+          const double z = (*g.columnHeights)[frame.offset(c)];
+          if (!std::isnan(z) && lower <= z && upper >= std::min(z, g.base)) right = c;
+        } else {
+          for (const HeightInterval& r : g.snapshot->intervalMap->cell(c)) {
+            const double top = std::min<double>(r.max, g.cut);
+            if (r.min <= g.cut && lower <= top && upper >= std::min<double>(r.min, top - minimumBoxThickness(frame)))
+              right = c;
+          }
+        }
+      }
+      const auto found = view->cellUnder(at);
+      // A ray that grazes a corner may be stepped over; the cell then differs by one.
+      ASSERT_EQ(found.has_value(), right.has_value()) << n;
+      if (!found) continue;
+      EXPECT_LE(std::abs(found->k - right->k) + std::abs(found->l - right->l), 1) << n;
+      QTest::mouseClick(view->canvas(), Qt::LeftButton, {}, at);
+      const auto* cell = std::get_if<CellIndex>(&window_->selection().get());
+      ASSERT_TRUE(cell);
+      EXPECT_EQ(*cell, *found);
+      const QString text = window_->probePanel().plainText().simplified();
+      EXPECT_TRUE(text.contains(QStringLiteral("Cell k %1, l %2").arg(cell->k).arg(cell->l))) << text.toStdString();
+      EXPECT_TRUE(text.contains("Records " + QString::number(g.snapshot->intervalMap->cell(*cell).size())));
+      ++hits;
+    }
+    EXPECT_GT(hits, 5);
+    for (VtkView* v : {static_cast<VtkView*>(window_->views().columns()), static_cast<VtkView*>(window_->views().boxes())})
+      EXPECT_GT(countNear(pictureOf(v), kHighlight, 10), 5);
+  }
+}
+
+TEST_F(Window, DraggingTurnsAllViewsAndSelectsNothing) {
+  CloudView* view = window_->views().cloud();
+  const Eigen::Matrix4d before = view->projection().ndc_T_map;
+  const auto drag = [&] {
+    QWidget* canvas = view->canvas();
+    QPoint at(canvas->width() / 2, canvas->height() / 2);
+    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
+    for (int i = 0; i < 8; ++i) {
+      at += QPoint(9, 4);
+      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(canvas, &move);
+    }
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+    QTest::qWait(400);
+  };
+  drag();
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(window_->selection().get()));
+  EXPECT_FALSE(before.isApprox(view->projection().ndc_T_map, 1e-3));
+  const auto eye = [](VtkView* v) { return v->rayAt({5, 5}).origin; };
+  EXPECT_TRUE(eye(view).isApprox(eye(window_->views().columns()), 1e-9));
+  EXPECT_TRUE(eye(view).isApprox(eye(window_->views().boxes()), 1e-9));
+
+  window_->views().setLinked(false);
+  const Eigen::Vector3d alone = eye(window_->views().boxes());
+  drag();
+  EXPECT_TRUE(alone.isApprox(eye(window_->views().boxes()), 1e-12));
+  EXPECT_FALSE(alone.isApprox(eye(view), 1e-3));
+}
+
+TEST_F(Window, SelectedPlaneLightsUpEverywhere) {
+  const SnapshotPtr s = window_->snapshot();
+  ASSERT_FALSE(s->scans[0].planes->planes.empty());
+  for (VtkView* v : {static_cast<VtkView*>(window_->views().cloud()), static_cast<VtkView*>(window_->views().boxes())})
+    EXPECT_EQ(countNear(pictureOf(v), kHighlight, 10), 0);
+  const auto floor = std::ranges::find(s->scans[0].planes->planes, "floor", &Plane::role);
+  ASSERT_NE(floor, s->scans[0].planes->planes.end());
+  window_->selection().set(floor->label);
+  EXPECT_TRUE(window_->probePanel().plainText().contains("floor"));
+  for (VtkView* v : {static_cast<VtkView*>(window_->views().cloud()), static_cast<VtkView*>(window_->views().columns()),
+                     static_cast<VtkView*>(window_->views().boxes())})
+    EXPECT_GT(countNear(pictureOf(v), kHighlight, 10), 500);
+}
+
+TEST_F(Window, BadFileLeavesTheScanOnScreen) {
+  const SnapshotPtr before = window_->snapshot();
+  const QString bad = folder_.path() + "/broken.pcd";
+  QFile file(bad);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT 1\nPOINTS 9\nDATA ascii\n1 2\n");
+  file.close();
+  EXPECT_FALSE(window_->messageBar().isVisible());
+  window_->openFiles({bad});
+  ASSERT_TRUE(waitFor([this] { return window_->messageBar().isVisible(); }));
+  EXPECT_TRUE(window_->messageBar().text().contains("broken.pcd")) << window_->messageBar().text().toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(window_->snapshot(), before);
+  window_->openFiles({path_});
+  ASSERT_TRUE(waitFor([this] { return !window_->messageBar().isVisible(); }));
+}
+
+TEST(WindowProgram, BatchWritesPictureAndResultsOrOneLine) {
+  QTemporaryDir folder;
+  const QString path = roomFile(folder.path()), out = folder.path() + "/out";
+  QProcess good;
+  good.start(STRATASCOPE_WINDOW, {path, "--batch", out});
+  ASSERT_TRUE(good.waitForFinished(120000));
+  EXPECT_EQ(good.exitCode(), 0) << good.readAllStandardError().toStdString();
+  QImage picture(out + "/window.png");
+  EXPECT_EQ(picture.size(), QSize(1600, 1000));
+  for (const char* name : {"cloud.pcd", "planes.json", "edges.json", "height_map.asc", "intervals.csv", "run.json"})
+    EXPECT_GT(QFile(out + "/" + name).size(), 2) << name;
+
+  QProcess bad;
+  bad.start(STRATASCOPE_WINDOW, {folder.path() + "/nothing.pcd", "--batch", folder.path() + "/none"});
+  ASSERT_TRUE(bad.waitForFinished(120000));
+  EXPECT_EQ(bad.exitCode(), 1);
+  EXPECT_TRUE(bad.readAllStandardError().contains("nothing.pcd"));
+  EXPECT_FALSE(QFile::exists(folder.path() + "/none"));
+}
+
+TEST(SliderScale, EveryPlaceIsAValueThatReadsBack) {
+  for (const ParamInfo& info : paramTable()) {
+    if (info.kind != ParamKind::Real && info.kind != ParamKind::Integer) continue;
+    const SliderScale scale{info.minimum, info.maximum, info.step};
+    EXPECT_EQ(scale.value(0), info.minimum) << info.key;
+    EXPECT_EQ(scale.value(scale.steps()), info.maximum) << info.key;
+    for (int p = 0; p <= scale.steps(); p += std::max(1, scale.steps() / 500)) {
+      const double v = scale.value(p);
+      EXPECT_EQ(scale.value(scale.position(v)), v) << info.key << " at " << p;
+      PipelineParams a, b;
+      info.set(a, v);
+      ASSERT_TRUE(setParam(b, info.key, paramText(info, a)).hasValue()) << info.key;
+      EXPECT_EQ(info.get(a), info.get(b)) << info.key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stratascope
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+    std::printf("skipped: no display (run under xvfb-run)\n");
+    return 77;
+  }
+  stratascope::prepareOpenGl();
+  QApplication app(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  if (const QString problem = stratascope::openGlProblem(); !problem.isEmpty()) {
+    std::printf("skipped: %s\n", problem.toUtf8().constData());
+    return 77;
+  }
+  stratascope::applyTheme(stratascope::Theme::Light);
+  return RUN_ALL_TESTS();
+}
