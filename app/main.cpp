@@ -32,7 +32,10 @@ int complain(const std::string& message, int status) {
 /// Where Qt would abort, as without a display, the program says why in one line and ends. Qt's warnings are for developers.
 void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
   if (type != QtFatalMsg && type != QtCriticalMsg) return;
-  std::fprintf(stderr, "stratascope: %s\n", text.simplified().toLocal8Bit().constData());
+  const QString what = text.contains("platform plugin")
+                           ? QStringLiteral("no display can be opened; set DISPLAY, or use stratascope-cli")
+                           : text.simplified();
+  std::fprintf(stderr, "stratascope: %s\n", what.toLocal8Bit().constData());
   if (type == QtFatalMsg) std::_Exit(1);
 }
 

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <cmath>
+#include <utility>
 
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
@@ -52,11 +53,21 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
 }
 
 void CloudView::setGeometry(const ViewGeometryPtr& geometry) {
-  geometry_ = geometry;
+  const ViewGeometryPtr old = std::exchange(geometry_, geometry);
   if (!geometry_) return;
+  describe();
+  const auto edgesOf = [](const ViewGeometryPtr& g) {
+    std::vector<std::shared_ptr<const EdgeSet>> edges;
+    for (const ScanProducts& scan : g->snapshot->scans) edges.push_back(scan.edges);
+    return edges;
+  };
+  // Drawing is what costs: a change of the height gap leaves this view alone.
+  if (old && old->cloud == geometry_->cloud && old->cloudRgb == geometry_->cloudRgb &&
+      old->cloudShown == geometry_->cloudShown && edgesOf(old) == edgesOf(geometry_) &&
+      !std::holds_alternative<CellIndex>(selection_.get()))
+    return;
   actor_.set(*geometry_);
   drawMarks();
-  describe();
   highlight();
 }
 

@@ -35,6 +35,7 @@ Legend::Legend(QWidget* parent) : QWidget(parent) {
 }
 
 void Legend::showList(const QString& title, std::vector<Entry> entries) {
+  if (!bar_ && title == title_ && entries == entries_) return;
   title_ = title;
   entries_ = std::move(entries);
   bar_ = false;
@@ -43,6 +44,7 @@ void Legend::showList(const QString& title, std::vector<Entry> entries) {
 }
 
 void Legend::showScale(const QString& title, const HeightScale& scale) {
+  if (bar_ && title == title_ && scale == scale_) return;
   title_ = title;
   scale_ = scale;
   bar_ = true;

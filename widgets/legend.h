@@ -18,6 +18,7 @@ class Legend : public QWidget {
     QColor colour;
     QString name;
     QString value;
+    bool operator==(const Entry&) const = default;
   };
   explicit Legend(QWidget* parent = nullptr);
 

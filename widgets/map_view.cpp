@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "widgets/text_format.h"
 
@@ -26,13 +27,13 @@ MapView::MapView(Kind kind, Selection& selection, QWidget* parent)
 }
 
 void MapView::setGeometry(const ViewGeometryPtr& geometry) {
-  geometry_ = geometry;
+  const ViewGeometryPtr old = std::exchange(geometry_, geometry);
   if (!geometry_) return;
   const ViewGeometry& g = *geometry_;
-  if (kind_ == Kind::Columns)
-    actor_.set(g.columns, g.columnsCoarse);
-  else
-    actor_.set(g.boxes, g.boxesCoarse);
+  const auto& mesh = kind_ == Kind::Columns ? g.columns : g.boxes;
+  const bool same = old && mesh == (kind_ == Kind::Columns ? old->columns : old->boxes) &&
+                    old->snapshot->objectMap == g.snapshot->objectMap;
+  if (!same) actor_.set(mesh, kind_ == Kind::Columns ? g.columnsCoarse : g.boxesCoarse);
 
   QStringList parts;
   if (kind_ == Kind::Columns && g.columnHeights) {
@@ -47,7 +48,10 @@ void MapView::setGeometry(const ViewGeometryPtr& geometry) {
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
   legend_->showScale(tr("Height in m"), g.scale);
   setLegend(legend_);
-  highlight();
+  // A selected plane's cells are shown by the object map; without a selection only the mesh counts.
+  if (!same && (!old || mesh != (kind_ == Kind::Columns ? old->columns : old->boxes) ||
+                !std::holds_alternative<std::monostate>(selection_.get())))
+    highlight();
 }
 
 std::optional<CellIndex> MapView::cellUnder(QPoint position) const {

@@ -6,8 +6,6 @@
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 
-#include <algorithm>
-
 #include "widgets/vtk_arrays.h"
 
 namespace stratascope {
@@ -17,8 +15,6 @@ constexpr size_t kCoarseFrom = 40000;  // smaller clouds are drawn whole
 }  // namespace
 
 ScanActor::ScanActor(vtkRenderer* renderer) {
-  cut_->SetNormal(0, 0, -1);
-  cut_->SetOrigin(0, 0, 1e9);
   setUp(full_, renderer);
   setUp(coarse_, renderer);
   setCoarse(false);
@@ -26,7 +22,6 @@ ScanActor::ScanActor(vtkRenderer* renderer) {
 
 void ScanActor::setUp(Level& level, vtkRenderer* renderer) {
   level.mapper->SetInputData(level.data);
-  level.mapper->AddClippingPlane(cut_);
   level.mapper->SetStatic(1);
   level.actor->SetMapper(level.mapper);
   level.actor->GetProperty()->LightingOff();
@@ -35,29 +30,30 @@ void ScanActor::setUp(Level& level, vtkRenderer* renderer) {
 }
 
 void ScanActor::set(const ViewGeometry& g) {
-  const auto shape = [&](Level& level, size_t count) {
-    vtkNew<vtkPoints> points;
-    points->SetData(floatsOver(g.cloud->positions.empty() ? nullptr : g.cloud->positions.front().data(), 3 * count));
-    level.data->SetPoints(points);
-    level.data->SetVerts(polyVertex(static_cast<vtkIdType>(count)));
-  };
-  const size_t count = g.cloud->positions.size();
+  const bool moved = g.cloud != cloud_, cutElsewhere = g.cloudShown != shown_, recoloured = g.cloudRgb != rgb_;
+  if (!moved && !cutElsewhere && !recoloured) return;
+  const size_t count = g.cloudShown->size();
   const size_t coarse = count < kCoarseFrom ? count : count / kCoarseShare;
-  const bool moved = g.cloud != cloud_;
   if (moved) {
-    shape(full_, count);
-    shape(coarse_, coarse);
+    vtkNew<vtkPoints> points;
+    const auto& positions = g.cloud->positions;
+    points->SetData(floatsOver(positions.empty() ? nullptr : positions.front().data(), 3 * positions.size()));
+    for (Level* level : {&full_, &coarse_}) level->data->SetPoints(points);
   }
-  if (moved || g.cloudRgb != rgb_) {
-    full_.data->GetPointData()->SetScalars(bytesOver(g.cloudRgb->data(), 3 * count));
-    coarse_.data->GetPointData()->SetScalars(bytesOver(g.cloudRgb->data(), 3 * coarse));
+  if (moved || cutElsewhere) {
+    full_.data->SetVerts(polyVertex(*g.cloudShown, count));
+    coarse_.data->SetVerts(polyVertex(*g.cloudShown, coarse));
+  }
+  if (moved || recoloured) {
+    const auto colours = bytesOver(g.cloudRgb->data(), g.cloudRgb->size());
+    for (Level* level : {&full_, &coarse_}) level->data->GetPointData()->SetScalars(colours);
   }
   for (Level* level : {&full_, &coarse_}) {
     level->data->Modified();
     level->mapper->Update();
   }
-  cut_->SetOrigin(0, 0, std::min(g.cut, 1e9));
   cloud_ = g.cloud;  // the old vectors may go only now that nothing points into them
+  shown_ = g.cloudShown;
   rgb_ = g.cloudRgb;
 }
 

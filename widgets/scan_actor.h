@@ -4,7 +4,6 @@
 
 #include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
@@ -35,8 +34,8 @@ class ScanActor {
   void setUp(Level& level, vtkRenderer* renderer);
 
   Level full_, coarse_;
-  vtkNew<vtkPlane> cut_;
   std::shared_ptr<const CloudGeometry> cloud_;
+  std::shared_ptr<const std::vector<std::int32_t>> shown_;
   std::shared_ptr<const std::vector<std::uint8_t>> rgb_;
 };
 

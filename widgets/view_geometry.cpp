@@ -208,6 +208,15 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
     g->cloudRgb = colourCloud(*g, g->classCounts);
   }
 
+  if (pointsStand && g->cut == old->cut) {
+    g->cloudShown = old->cloudShown;
+  } else {
+    auto shown = std::make_shared<std::vector<std::int32_t>>();
+    for (size_t i = 0; i < g->cloud->positions.size(); ++i)
+      if (g->cloud->positions[i].z() <= g->cut) shown->push_back(static_cast<std::int32_t>(i));
+    g->cloudShown = std::move(shown);
+  }
+
   const bool lookStands = scaleStands && g->cut == old->cut;
   if (snapshot->cells) {
     g->base = g->scale.low;

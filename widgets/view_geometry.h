@@ -39,6 +39,7 @@ struct ViewGeometry {
 
   std::shared_ptr<const CloudGeometry> cloud;
   std::shared_ptr<const std::vector<std::uint8_t>> cloudRgb;  ///< three a point, in cloud's order
+  std::shared_ptr<const std::vector<std::int32_t>> cloudShown;  ///< which of cloud's points lie at or below the cut, ascending
   std::array<size_t, kSurfaceClassCount> classCounts{};
 
   std::shared_ptr<const std::vector<float>> columnHeights;  ///< heightsBelow(cut), in the order of the map's frame

@@ -35,13 +35,16 @@ inline vtkSmartPointer<vtkTypeInt32Array> intsOver(const std::vector<std::int32_
   return array;
 }
 
-/// One cell that holds points 0 … count − 1: how a cloud is drawn fastest.
-inline vtkSmartPointer<vtkCellArray> polyVertex(vtkIdType count) {
+/// One cell that holds the first `count` of these points: how a cloud is drawn fastest.
+inline vtkSmartPointer<vtkCellArray> polyVertex(const std::vector<std::int32_t>& points, size_t count) {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  if (count > 0) {
-    cells->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i) cells->InsertCellPoint(i);
-  }
+  if (count == 0) return cells;
+  auto offsets = vtkSmartPointer<vtkTypeInt32Array>::New();
+  offsets->InsertNextValue(0);
+  offsets->InsertNextValue(static_cast<std::int32_t>(count));
+  auto corners = vtkSmartPointer<vtkTypeInt32Array>::New();
+  corners->SetArray(const_cast<std::int32_t*>(points.data()), static_cast<vtkIdType>(count), 1);
+  cells->SetData(offsets, corners);
   return cells;
 }
 

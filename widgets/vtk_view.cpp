@@ -146,7 +146,7 @@ void VtkView::addHeaderWidget(QWidget* widget) { headerLayout_->insertWidget(hea
 
 void VtkView::setLegend(QWidget* legend) {
   legend_ = legend;
-  legend->setParent(canvas_);
+  if (legend->parentWidget() != canvas_) legend->setParent(canvas_);
   legend->show();
   placeLegend();
 }
