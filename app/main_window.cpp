@@ -69,6 +69,8 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(status_);
   statusBar()->setSizeGripEnabled(false);
+  // Always the same height: if the progress bar made it grow, all three views would be resized and drawn anew each time.
+  statusBar()->setFixedHeight(fontMetrics().height() + 16);
 
   buildDocks();
   actions_ = new Actions(*this, *session_, *cut_);
