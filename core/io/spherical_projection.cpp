@@ -157,6 +157,33 @@ std::string degreesText(double radians) {
   return std::string(buffer, end) + "°";
 }
 
+/// Neurons that see through a nearer surface between its points: most of what surrounds them is clearly nearer. Along the
+/// straight border of an object less than half of it is.
+std::vector<char> seeThrough(const SphereGrid& grid, const std::vector<std::int32_t>& pointOfNeuron, const std::vector<Direction>& directions) {
+  constexpr int kReach = 2;
+  std::vector<char> result(pointOfNeuron.size(), 0);
+  const auto rangeAt = [&](int row, int col) -> float {
+    if (row < 0 || row >= grid.rows || col < 0 || col >= grid.cols) return -1;
+    const std::int32_t owner = pointOfNeuron[static_cast<size_t>(row) * static_cast<size_t>(grid.cols) + static_cast<size_t>(col)];
+    return owner < 0 ? -1 : directions[static_cast<size_t>(owner)].range;
+  };
+  for (int row = 0; row < grid.rows; ++row)
+    for (int col = 0; col < grid.cols; ++col) {
+      const float own = rangeAt(row, col);
+      if (own < 0) continue;
+      int seen = 0, nearer = 0;
+      for (int r = row - kReach; r <= row + kReach; ++r)
+        for (int c = col - kReach; c <= col + kReach; ++c) {
+          const float other = rangeAt(r, c);
+          if (other < 0 || (r == row && c == col)) continue;
+          ++seen;
+          nearer += other < 0.95f * own - 0.10f ? 1 : 0;
+        }
+      result[static_cast<size_t>(row) * static_cast<size_t>(grid.cols) + static_cast<size_t>(col)] = seen >= 6 && 2 * nearer > seen;
+    }
+  return result;
+}
+
 }  // namespace
 
 void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
@@ -172,6 +199,7 @@ void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
   }
 
   constexpr std::int32_t kNone = -1;
+  constexpr float kSameSurface = 0.05f;  // metres
   std::vector<std::int32_t> pointOfNeuron(grid.size(), kNone);
   scan.neuronOfPoint.assign(cloud.size(), kNone);
   for (size_t i = 0; i < cloud.size(); ++i) {
@@ -179,6 +207,10 @@ void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
     std::int32_t& owner = pointOfNeuron[grid.neuron(directions[i])];
     if (owner == kNone || directions[i].range < directions[static_cast<size_t>(owner)].range) owner = static_cast<std::int32_t>(i);
   }
+  const std::vector<char> hidden = seeThrough(grid, pointOfNeuron, directions);
+  for (size_t n = 0; n < hidden.size(); ++n)
+    if (hidden[n]) pointOfNeuron[n] = kNone;
+
   ScanBuilder builder(grid.cols);
   std::vector<Eigen::Vector3f> line(static_cast<size_t>(grid.cols));
   size_t kept = 0;
@@ -192,11 +224,22 @@ void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
     }
     builder.appendLine(line);
   }
+  // Points just behind the one that has the neuron lie on the same surface and share it.
+  size_t shared = 0;
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    if (!directions[i].valid() || scan.neuronOfPoint[i] != kNone) continue;
+    const size_t neuron = grid.neuron(directions[i]);
+    const std::int32_t owner = pointOfNeuron[neuron];
+    if (owner == kNone || directions[i].range - directions[static_cast<size_t>(owner)].range > kSameSurface) continue;
+    scan.neuronOfPoint[i] = static_cast<std::int32_t>(neuron);
+    ++shared;
+  }
   scan.lattice = builder.freeze();
   scan.latticeOrigin = LatticeOrigin::Projected;
   scan.notes.push_back("The cloud has no lattice: " + std::to_string(count) + " points seen from the sensor are projected onto a sphere, " +
                        std::to_string(grid.rows) + " lines of " + std::to_string(grid.cols) + " beams with a step of " + degreesText(grid.step) +
-                       "; " + std::to_string(kept) + " have a neuron of their own, the others lie behind a nearer one.");
+                       "; " + std::to_string(kept) + " have a neuron of their own, " + std::to_string(shared) +
+                       " share one, the others lie behind a nearer surface.");
   scan.cloud = std::move(cloud);
 }
 

@@ -70,7 +70,8 @@ struct Scan {
 
   /// Only for Projected lattices: every point of the file in its order, scan frame, NaN kept…
   std::vector<Eigen::Vector3f> cloud;
-  /// …and the offset of the neuron each became, or −1 where a nearer point took the neuron or the point is NaN.
+  /// …and the offset of the neuron that stands for each: its own, or that of a point just before it on the same beam; −1
+  /// where a nearer surface hides the point or it is NaN.
   std::vector<std::int32_t> neuronOfPoint;
 
   bool unordered() const { return latticeOrigin == LatticeOrigin::Projected; }

@@ -153,7 +153,8 @@ void expectGoodProjection(const Scan& scan, size_t points) {
   const double share = filledNeighbours(*scan.lattice);
   for (const std::string& note : scan.notes) std::cout << note << "\n";
   std::cout << "neighbours filled " << share << ", neurons filled " << filled << "\n";
-  EXPECT_GE(share, 0.75);
+  // The step is chosen for 0.75; neurons that see through a nearer surface are taken out after that.
+  EXPECT_GE(share, 0.70);
   EXPECT_GE(filled, points / 8);
 }
 

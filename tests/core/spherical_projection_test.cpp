@@ -30,7 +30,11 @@ std::vector<Eigen::Vector3f> randomCloud(size_t count, std::uint32_t seed, doubl
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<Eigen::Vector3f> cloud;
   for (size_t i = 0; i < count; ++i)
-    cloud.push_back(direction(azimuthFrom + (azimuthTo - azimuthFrom) * unit(random), -40 + 80 * unit(random), 1 + 5 * unit(random)));
+  {
+    // A surface that bends gently: nothing is seen through it.
+    const double azimuth = azimuthFrom + (azimuthTo - azimuthFrom) * unit(random), elevation = -40 + 80 * unit(random);
+    cloud.push_back(direction(azimuth, elevation, 3.5 + 2 * std::sin(degToRad(2 * azimuth)) + 0.2 * unit(random)));
+  }
   return cloud;
 }
 
@@ -44,8 +48,17 @@ void expectConsistent(const Scan& scan) {
     const std::int32_t n = scan.neuronOfPoint[i];
     if (n < 0) continue;
     ASSERT_LT(static_cast<size_t>(n), scan.lattice->points().size());
-    EXPECT_TRUE(ownerOf.emplace(n, i).second) << "two points own one neuron";
-    EXPECT_EQ(scan.lattice->points()[static_cast<size_t>(n)], scan.cloud[i]);
+    const Eigen::Vector3f &neuron = scan.lattice->points()[static_cast<size_t>(n)], &point = scan.cloud[i];
+    ASSERT_TRUE(neuron.allFinite());
+    if (neuron == point) {
+      ownerOf.emplace(n, i);
+      continue;
+    }
+    // It shares the neuron of a point at most 5 cm nearer to the sensor.
+    const Eigen::Vector3f sensor = scan.pose.scan_T_sensor.translation().cast<float>();
+    const float behind = (point - sensor).norm() - (neuron - sensor).norm();
+    EXPECT_GE(behind, -1e-5f);
+    EXPECT_LE(behind, 0.05001f);
   }
   for (size_t n = 0; n < scan.lattice->points().size(); ++n)
     EXPECT_EQ(scan.lattice->points()[n].allFinite(), ownerOf.count(static_cast<std::int32_t>(n)) == 1);
@@ -113,8 +126,19 @@ TEST(SphericalProjection, TheNearerPointHasTheNeuronTheEarlierIfEqual) {
   expectConsistent(scan);
   EXPECT_EQ(scan.neuronOfPoint[0], -1);
   EXPECT_GE(scan.neuronOfPoint[1], 0);
-  EXPECT_EQ(scan.neuronOfPoint[2], -1);
+  EXPECT_EQ(scan.neuronOfPoint[2], scan.neuronOfPoint[1]);
   EXPECT_GE(scan.neuronOfPoint[3], 0);
+}
+
+TEST(SphericalProjection, WhatIsSeenThroughANearSurfaceIsHidden) {
+  // A fence at 2 m with holes through which a wall at 5 m shows here and there.
+  std::vector<Eigen::Vector3f> cloud;
+  for (int a = -60; a <= 60; ++a)
+    for (int e = -30; e <= 30; ++e) cloud.push_back(direction(a, e, (a * 7 + e * 11) % 13 == 0 ? 5.0 : 2.0));
+  const Scan scan = project(cloud);
+  expectConsistent(scan);
+  for (const Eigen::Vector3f& p : scan.lattice->points().values())
+    if (p.allFinite()) { EXPECT_LT(p.norm(), 3.0f); }
 }
 
 TEST(SphericalProjection, SeenFromTheSensorNotTheOrigin) {
