@@ -11,20 +11,29 @@
 
 namespace stratascope {
 
+RangeLimits::RangeLimits(const Scan& scan, const RangeParams& params)
+    : sensor_(scan.pose.scan_T_sensor.translation()),
+      nearest_(std::max(params.minRange, scan.ownBodyRange)),
+      farthest_(params.maxRange > 0 ? params.maxRange : std::numeric_limits<double>::infinity()) {}
+
+bool RangeLimits::contains(const Eigen::Vector3f& point) const {
+  const double r = (point.cast<double>() - sensor_).norm();
+  return std::isfinite(r) && r >= nearest_ && r <= farthest_;
+}
+
+float RangeLimits::rangeOf(const Eigen::Vector3f& point) const {
+  const double r = (point.cast<double>() - sensor_).norm();
+  return r > 0 && contains(point) ? static_cast<float>(r) : kNaNf;
+}
+
 PointImage computePoints(const Scan& scan, const RangeParams& params, const Execution& execution) {
   const Grid<Eigen::Vector3f>& measured = scan.lattice->points();
-  const Eigen::Vector3d origin = scan.pose.scan_T_sensor.translation();
-  const double nearest = std::max(params.minRange, scan.ownBodyRange);
-  const double farthest = params.maxRange > 0 ? params.maxRange : std::numeric_limits<double>::infinity();
+  const RangeLimits limits(scan, params);
 
   PointImage image;
   image.range = feedForward<float>(
       measured.rows(), measured.cols(),
-      [&](GridIndex at) {
-        const double r = (measured(at).cast<double>() - origin).norm();
-        return r > 0 && r >= nearest && r <= farthest ? static_cast<float>(r) : kNaNf;
-      },
-      execution);
+      [&](GridIndex at) { return limits.rangeOf(measured(at)); }, execution);
   image.points = feedForward<Eigen::Vector3f>(
       measured.rows(), measured.cols(),
       [&](GridIndex at) -> Eigen::Vector3f {

@@ -42,11 +42,12 @@ std::vector<PlaneLabel> labelsOfCloud(const ScanProducts& scan, double planeDist
   return labels;
 }
 
-std::vector<Eigen::Vector3f> cloudInMap(const Scan& scan) {
+std::vector<Eigen::Vector3f> cloudInMap(const Scan& scan, const RangeParams& params) {
+  const RangeLimits limits(scan, params);
   std::vector<Eigen::Vector3f> cloud(scan.cloud.size());
   for (size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& p = scan.cloud[i];
-    if (p.allFinite())
+    if (limits.contains(p))
       cloud[i] = (scan.pose.map_T_scan * p.cast<double>()).cast<float>();
     else
       cloud[i] = Eigen::Vector3f::Constant(kNaNf);
@@ -141,8 +142,9 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
       if (c.range == params.range) continue;
       auto image =
           std::make_shared<const PointImage>(computePoints(*c.products.scan, params.range, execution));
-      if (c.products.scan->unordered() && !c.products.cloud)
-        c.products.cloud = std::make_shared<const std::vector<Eigen::Vector3f>>(cloudInMap(*c.products.scan));
+      if (c.products.scan->unordered())
+        c.products.cloud =
+            std::make_shared<const std::vector<Eigen::Vector3f>>(cloudInMap(*c.products.scan, params.range));
       c.products.points = std::move(image);
       c.range = params.range;
       c.normals.reset();

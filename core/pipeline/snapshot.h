@@ -45,7 +45,8 @@ struct ScanProducts {
   std::shared_ptr<const ClassImage> classes;
   std::shared_ptr<const PlaneImage> planes;
   std::shared_ptr<const EdgeSet> edges;
-  /// Unordered scans only: every point of the file in the map frame, and the plane of each.
+  /// Unordered scans only: every point of the file in the map frame (NaN outside the range limits), and
+  /// the plane of each.
   std::shared_ptr<const std::vector<Eigen::Vector3f>> cloud;
   std::shared_ptr<const std::vector<PlaneLabel>> cloudLabels;
 };

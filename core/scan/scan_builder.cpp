@@ -31,6 +31,8 @@ void ScanBuilder::appendPolarLine(std::span<const float> ranges, std::span<const
   require(!lattice_.beamAngles_.empty(), "ScanBuilder: polar line in a Cartesian scan");
   require(static_cast<int>(ranges.size()) == beams_, "ScanBuilder: wrong line length");
   require(headAngles.size() == 1 || headAngles.size() == ranges.size(), "ScanBuilder: wrong number of head angles");
+  require(lattice_.headAngles_.empty() || lattice_.headAngles_.cols() == static_cast<int>(headAngles.size()),
+          "ScanBuilder: one head angle a line and one a beam in the same scan");
   std::vector<Eigen::Vector3f> line(ranges.size(), Eigen::Vector3f::Constant(kNaNf));
   for (size_t j = 0; j < ranges.size(); ++j) {
     const double theta = headAngles[headAngles.size() == 1 ? 0 : j];
