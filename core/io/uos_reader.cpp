@@ -62,6 +62,7 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
   std::uint64_t columns = 0;
   std::uint64_t firstRow = 0;
   size_t codes = 0;
+  size_t ownBody = 0;
   std::string sizeLine;
 
   TextLines lines(bytes);
@@ -71,7 +72,7 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
       sizeLine = std::string(rest);
       continue;
     }
-    Eigen::Vector3d p;
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
     std::uint64_t n = 0;
     for (std::string_view token = takeToken(rest); !token.empty(); token = takeToken(rest), ++n) {
       const auto number = numberFromText(token);
@@ -95,6 +96,7 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
     // without a direction the point cannot begin a line
     angles.push_back(range > 0 && p.allFinite() ? std::atan2(std::hypot(p.y(), p.z()), p.x()) : angles.empty() ? 0 : angles.back());
     if (range > kMaxRangeCm) ++codes;
+    if (range < kOwnBodyRange / kMetresPerUnit) ++ownBody;
     if (range <= kMaxRangeCm)  // NaN is neither
       cloud.points.push_back((ours_R_uos() * p * kMetresPerUnit).cast<float>());
     else
@@ -116,6 +118,8 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
   }
   if (!sizeLine.empty()) cloud.notes.push_back("The first line, " + quotedText(sizeLine) + ", is not used: such lines are often wrong.");
   if (codes > 0) cloud.notes.push_back(std::to_string(codes) + " points beyond 32.70 m are the scanner's status codes and count as missing returns.");
+  if (ownBody > 0)
+    cloud.notes.push_back(std::to_string(ownBody) + " points nearer than 0.48 m are the robot itself: kept in the scan, left out of network and maps.");
   return cloud;
 }
 
