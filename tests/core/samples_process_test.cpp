@@ -40,7 +40,8 @@ TEST_P(SampleProcess, FindsTheFloorAndWhatStandsOnIt) {
   EXPECT_GT(p.planes->planes.size(), 5u);
   const Plane* floor = nullptr;
   for (const Plane& plane : p.planes->planes)
-    if (std::abs(plane.normal.z()) > 0.9 && std::abs(height(plane)) < 0.05 && (!floor || plane.points > floor->points))
+    if (std::abs(plane.normal.z()) > 0.9 && std::abs(height(plane)) < 0.05 &&
+        (!floor || plane.points > floor->points))
       floor = &plane;
   ASSERT_NE(floor, nullptr);
   EXPECT_EQ(floor->role, "floor");
@@ -85,8 +86,9 @@ TEST(RealProcess, TheCorridor) {
   for (size_t o = 0; o < p.points->range.size(); ++o) {
     if (!std::isfinite(p.points->range[o])) continue;
     ++returns;
-    ASSERT_LT((p.points->points[o].cast<double>() - p.points->sensor).norm(), 32.71);  // the scanner's status codes
-    ASSERT_GE(p.points->range[o], 0.479F);                                          // the robot itself
+    ASSERT_LT((p.points->points[o].cast<double>() - p.points->sensor).norm(),
+              32.71);                       // the scanner's status codes
+    ASSERT_GE(p.points->range[o], 0.479F);  // the robot itself
   }
   EXPECT_GT(returns, 70000u);
   EXPECT_GT(p.points->ownBody, 1500u);
