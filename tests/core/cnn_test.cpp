@@ -73,23 +73,23 @@ TEST_P(AgainstTheEquations, RandomTemplatesStatesAndInputs) {
         if (HasFatalFailure()) return;
         const Grid<double> output = network.output();
         for (size_t o = 0; o < output.size(); ++o)
-          ASSERT_NEAR(output[o], test::oracleOutput(f, network.state()[o]), 1e-12 * (1 + std::abs(output[o])));
+          ASSERT_NEAR(output[o], test::oracleOutput(f, network.state()[o]),
+                      1e-12 * (1 + std::abs(output[o])));
       }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Networks, AgainstTheEquations,
-    ::testing::Values(NetworkCase{3, OutputFunction::Saturation, CnnTime::Discrete},
-                      NetworkCase{3, OutputFunction::Saturation, CnnTime::Continuous},
-                      NetworkCase{3, OutputFunction::Sign, CnnTime::Discrete},
-                      NetworkCase{3, OutputFunction::Sign, CnnTime::Continuous},
-                      NetworkCase{3, OutputFunction::Identity, CnnTime::Discrete},
-                      NetworkCase{3, OutputFunction::Identity, CnnTime::Continuous},
-                      NetworkCase{5, OutputFunction::Saturation, CnnTime::Discrete},
-                      NetworkCase{5, OutputFunction::Saturation, CnnTime::Continuous},
-                      NetworkCase{5, OutputFunction::Sign, CnnTime::Discrete},
-                      NetworkCase{5, OutputFunction::Identity, CnnTime::Continuous}));
+INSTANTIATE_TEST_SUITE_P(Networks, AgainstTheEquations,
+                         ::testing::Values(NetworkCase{3, OutputFunction::Saturation, CnnTime::Discrete},
+                                           NetworkCase{3, OutputFunction::Saturation, CnnTime::Continuous},
+                                           NetworkCase{3, OutputFunction::Sign, CnnTime::Discrete},
+                                           NetworkCase{3, OutputFunction::Sign, CnnTime::Continuous},
+                                           NetworkCase{3, OutputFunction::Identity, CnnTime::Discrete},
+                                           NetworkCase{3, OutputFunction::Identity, CnnTime::Continuous},
+                                           NetworkCase{5, OutputFunction::Saturation, CnnTime::Discrete},
+                                           NetworkCase{5, OutputFunction::Saturation, CnnTime::Continuous},
+                                           NetworkCase{5, OutputFunction::Sign, CnnTime::Discrete},
+                                           NetworkCase{5, OutputFunction::Identity, CnnTime::Continuous}));
 
 TEST(TemplateNetwork, OneAndTwoThreadsGiveTheSameBits) {
   const CnnTemplate t = randomTemplate(5, OutputFunction::Saturation, 7);
@@ -98,7 +98,8 @@ TEST(TemplateNetwork, OneAndTwoThreadsGiveTheSameBits) {
   for (int step = 0; step < 5; ++step) one.stepContinuous(0.3, {1}), two.stepContinuous(0.3, {2});
   one.stepDiscrete({1}), two.stepDiscrete({2});
   EXPECT_EQ(
-      std::memcmp(one.state().values().data(), two.state().values().data(), state.size() * sizeof(double)), 0);
+      std::memcmp(one.state().values().data(), two.state().values().data(), state.size() * sizeof(double)),
+      0);
 }
 
 TEST(TemplateNetwork, BadCallsThrow) {
@@ -114,7 +115,8 @@ TEST(TemplateNetwork, BadCallsThrow) {
   EXPECT_THROW(TemplateNetwork(template_library::majority(), Grid<double>(6, 6), Grid<double>(6, 5)),
                std::logic_error);
   TemplateNetwork network(template_library::majority(), Grid<double>(6, 6), Grid<double>(6, 6));
-  for (const double dt : {0.0, -0.1, 1.1, kNaN}) EXPECT_THROW(network.stepContinuous(dt), std::logic_error) << dt;
+  for (const double dt : {0.0, -0.1, 1.1, kNaN})
+    EXPECT_THROW(network.stepContinuous(dt), std::logic_error) << dt;
 }
 
 TEST(TemplateNetwork, MajorityFollowsTheVotes) {

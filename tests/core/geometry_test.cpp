@@ -24,11 +24,11 @@ bool sameBits(std::span<const Vector3f> a, std::span<const Vector3f> b) {
 TEST(ScannerGeometry, KnownDirections) {
   const double level = kPi / 2;
   const auto is = [](const Vector3d& a, const Vector3d& b) { return (a - b).norm() < 1e-12; };
-  EXPECT_TRUE(is(pointFromPolar({2, level, 0}), {0, 2, 0}));           // φ = 0 left
-  EXPECT_TRUE(is(pointFromPolar({2, level, kPi / 2}), {2, 0, 0}));     // ahead
-  EXPECT_TRUE(is(pointFromPolar({2, level, kPi}), {0, -2, 0}));        // φ = π right
-  EXPECT_TRUE(is(pointFromPolar({2, 0, kPi / 2}), {0, 0, 2}));         // θ = 0 straight up
-  EXPECT_TRUE(is(pointFromPolar({2, 0, 0}), {0, 2, 0}));               // the head's axis stays where it is
+  EXPECT_TRUE(is(pointFromPolar({2, level, 0}), {0, 2, 0}));        // φ = 0 left
+  EXPECT_TRUE(is(pointFromPolar({2, level, kPi / 2}), {2, 0, 0}));  // ahead
+  EXPECT_TRUE(is(pointFromPolar({2, level, kPi}), {0, -2, 0}));     // φ = π right
+  EXPECT_TRUE(is(pointFromPolar({2, 0, kPi / 2}), {0, 0, 2}));      // θ = 0 straight up
+  EXPECT_TRUE(is(pointFromPolar({2, 0, 0}), {0, 2, 0}));            // the head's axis stays where it is
   const Vector3d down = pointFromPolar({2, level + degToRad(15), kPi / 2});
   EXPECT_NEAR(down.z(), -2 * std::sin(degToRad(15)), 1e-12);
   EXPECT_GT(down.x(), 0);

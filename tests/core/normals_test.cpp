@@ -32,8 +32,8 @@ NormalImage normalsOf(const SimulatedScan& scan, NormalEstimator estimator, cons
 }
 
 struct Errors {
-  size_t neurons = 0;            ///< on the faces asked for
-  std::vector<double> degrees;   ///< of those with a normal, rising
+  size_t neurons = 0;           ///< on the faces asked for
+  std::vector<double> degrees;  ///< of those with a normal, rising
   double median() const { return degrees.empty() ? kNaN : degrees[degrees.size() / 2]; }
   double mean() const {
     double sum = 0;
@@ -50,7 +50,8 @@ template <class Take>
 Errors errorsOf(const SimulatedScan& scan, const NormalImage& normals, const Take& take) {
   Errors errors;
   for (size_t o = 0; o < scan.truthLabels.size(); ++o) {
-    if (scan.truthLabels[o] < kTruthFirstPlane || !take(o) || !scan.scan.lattice->points()[o].allFinite()) continue;
+    if (scan.truthLabels[o] < kTruthFirstPlane || !take(o) || !scan.scan.lattice->points()[o].allFinite())
+      continue;
     ++errors.neurons;
     const Vector3d n = normals.normals[o].cast<double>(), truth = scan.truthNormals[o].cast<double>();
     if (!n.allFinite()) continue;
@@ -124,7 +125,8 @@ TEST(Normals, NoNeighbourInTheShellGivesNoNormal) {
   const SimulatedScan scan = simulateScan(plainRoom({.lines = 60, .beams = 61}), {});
   const PointImage points = computePoints(scan.scan, {});
   for (const NormalEstimator estimator : {NormalEstimator::Adaptive, NormalEstimator::Regression}) {
-    const NormalImage image = computeNormals(points, {.epsilon1 = 100, .epsilon2 = 50, .estimator = estimator});
+    const NormalImage image =
+        computeNormals(points, {.epsilon1 = 100, .epsilon2 = 50, .estimator = estimator});
     for (const Vector3f& n : image.normals.values()) ASSERT_FALSE(n.allFinite());
   }
   // nor does a scan where nothing came back

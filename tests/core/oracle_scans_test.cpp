@@ -28,8 +28,9 @@ void expectPipelineEqualsOracle(const std::string& path, const std::vector<Pipel
     ASSERT_TRUE(result.hasValue()) << result.error().message();
     const Snapshot& s = **result;
     const ScanProducts& p = s.scans[0];
-    const std::vector<MapInput> inputs{p.cloud ? MapInput{*p.cloud, *p.cloudLabels}
-                                               : MapInput{p.points->points.values(), p.planes->labels.values()}};
+    const std::vector<MapInput> inputs{p.cloud
+                                           ? MapInput{*p.cloud, *p.cloudLabels}
+                                           : MapInput{p.points->points.values(), p.planes->labels.values()}};
     test::expectMapsEqualOracle(inputs, params.grid, params.intervals);
     // what was compared there is what the pipeline holds
     const auto cells = assignCells(inputs, params.grid);
@@ -57,11 +58,13 @@ PipelineParams settings(double cell, double epsilon, IntervalRule rule) {
 
 class OracleOfSamples : public ::testing::TestWithParam<const char*> {};
 TEST_P(OracleOfSamples, MapsAreTheDefinitions) {
-  expectPipelineEqualsOracle(std::string(STRATASCOPE_SOURCE_DIR "/sample_scans/") + GetParam() + ".pcd",
-                             {settings(0.05, 0.1, IntervalRule::Linked), settings(0.05, 0.1, IntervalRule::Paper)});
+  expectPipelineEqualsOracle(
+      std::string(STRATASCOPE_SOURCE_DIR "/sample_scans/") + GetParam() + ".pcd",
+      {settings(0.05, 0.1, IntervalRule::Linked), settings(0.05, 0.1, IntervalRule::Paper)});
 }
 INSTANTIATE_TEST_SUITE_P(All, OracleOfSamples,
-                         ::testing::Values("stair_hall", "pipe_corridor", "furnished_room", "obstacles_02_2"));
+                         ::testing::Values("stair_hall", "pipe_corridor", "furnished_room",
+                                           "obstacles_02_2"));
 
 struct RealCase {
   const char* name;

@@ -32,7 +32,8 @@ ScanPtr scanOf(const std::vector<Eigen::Vector3f>& line) {
   return scan;
 }
 
-SnapshotPtr runFresh(std::vector<ScanPtr> scans, const PipelineParams& params, const Execution& execution = {}) {
+SnapshotPtr runFresh(std::vector<ScanPtr> scans, const PipelineParams& params,
+                     const Execution& execution = {}) {
   Pipeline pipeline;
   pipeline.setScans(std::move(scans));
   auto result = pipeline.run(params, execution);

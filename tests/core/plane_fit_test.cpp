@@ -19,13 +19,14 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Vector3d randomUnit(const CounterNoise& noise, std::uint64_t key) {
-  return Vector3d(noise.gaussian(key, 90, 0), noise.gaussian(key, 91, 0), noise.gaussian(key, 92, 0)).normalized();
+  return Vector3d(noise.gaussian(key, 90, 0), noise.gaussian(key, 91, 0), noise.gaussian(key, 92, 0))
+      .normalized();
 }
 
-/// Points of normal·p = offset on a patch of a few metres about `middle`, shifted along the normal by Gaussian
-/// noise.
-std::vector<Vector3d> patch(const Vector3d& normal, double offset, const Vector3d& middle, int count, double noiseSigma,
-                            std::uint64_t seed) {
+/// Points of normal·p = offset on a patch of a few metres about `middle`, shifted along the normal by
+/// Gaussian noise.
+std::vector<Vector3d> patch(const Vector3d& normal, double offset, const Vector3d& middle, int count,
+                            double noiseSigma, std::uint64_t seed) {
   const CounterNoise noise(seed);
   const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   const Vector3d foot = middle - normal * (normal.dot(middle) - offset);
@@ -166,7 +167,8 @@ TEST(PlaneQuality, RmsIsUnbiasedForFewPoints) {
     double squares = 0;
     constexpr int kTrials = 8000;
     for (std::uint64_t i = 0; i < kTrials; ++i) {
-      const auto points = patch(Vector3d::UnitX(), 3, {3, 0, 0}, count, s, 1000 * i + static_cast<std::uint64_t>(count));
+      const auto points =
+          patch(Vector3d::UnitX(), 3, {3, 0, 0}, count, s, 1000 * i + static_cast<std::uint64_t>(count));
       const auto plane = fitTotalLeastSquares(momentsOf(points));
       ASSERT_TRUE(plane.hasValue());
       squares += plane->rms * plane->rms;

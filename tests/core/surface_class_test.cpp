@@ -88,7 +88,8 @@ TEST(SurfaceClass, ARoomSquareToTheRobot) {
 TEST(SurfaceClass, ATurnedRoomNeedsItsOwnDirection) {
   const Scene room = plainRoom({}, 17);
   const Classified c = look(room);
-  const ClassImage aligned = computeClasses(c.points, c.normals, {.classToleranceDeg = 10, .alignWalls = true});
+  const ClassImage aligned =
+      computeClasses(c.points, c.normals, {.classToleranceDeg = 10, .alignWalls = true});
   EXPECT_NEAR(radToDeg(aligned.wallDirection), 17, 1);
   EXPECT_GE(rightShare(c, room, aligned.classes), 0.97);
 
@@ -129,7 +130,8 @@ TEST(SurfaceClass, CornersAreConcaveAndBoxesConvex) {
   const double half = 1.2 / std::sqrt(2.0);
   const Vector3d upright(3 - half, 0, 0.8);  // the block's near edge
   const auto onBlock = [&](size_t o) { return c.scan.truthLabels[o] >= kTruthFirstPlane + 6; };
-  size_t convex = 0, convexThere = 0, concave = 0, concaveThere = 0, nearEdge = 0, nearConvex = 0, nearConcave = 0;
+  size_t convex = 0, convexThere = 0, concave = 0, concaveThere = 0, nearEdge = 0, nearConvex = 0,
+         nearConcave = 0;
   for (size_t o = 0; o < image.classes.size(); ++o) {
     const Vector3f& p = c.scan.truthPoints[o];
     if (!p.allFinite()) continue;
@@ -145,7 +147,8 @@ TEST(SurfaceClass, CornersAreConcaveAndBoxesConvex) {
     }
     if (image.classes[o] == SurfaceClass::ConcaveEdge) {
       ++concave;  // two faces of the room meet, or the block stands on the floor
-      const int walls = (6 - p.x() < 0.25) + (4 - std::abs(p.y()) < 0.25) + (p.z() < 0.25) + (3 - p.z() < 0.25);
+      const int walls =
+          (6 - p.x() < 0.25) + (4 - std::abs(p.y()) < 0.25) + (p.z() < 0.25) + (3 - p.z() < 0.25);
       const Vector3d inBlock = box.scene_T_box.inverse() * p.cast<double>();
       const bool atFoot = p.z() < 0.25 && inBlock.head<2>().cwiseAbs().maxCoeff() < 0.85;
       concaveThere += walls >= 2 || atFoot;

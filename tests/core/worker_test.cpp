@@ -183,9 +183,8 @@ TEST(Worker, GoesAwayQuicklyWhileBusy) {
     Listener listener;
     auto worker = std::make_unique<Worker>(listener.notify());
     worker->request(std::vector{scan}, {});
-    ASSERT_TRUE(listener.until(*worker, [&] {
-      return !listener.snapshots.empty() || (listener.stage && *listener.stage >= at);
-    }));
+    ASSERT_TRUE(listener.until(
+        *worker, [&] { return !listener.snapshots.empty() || (listener.stage && *listener.stage >= at); }));
     const auto begin = Clock::now();
     worker.reset();
     EXPECT_LT(Clock::now() - begin, 2s) << stageName(at);
