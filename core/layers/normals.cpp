@@ -94,7 +94,7 @@ struct Level {
 // From the largest lever arm down. Within a level the best residual wins; the first level that agrees is
 // taken.
 constexpr float kAside = 0.9f;  // an off-centre window still holds its neuron a little inside
-constexpr std::array<Level, 12> kLevels = {{
+constexpr std::array<Level, 14> kLevels = {{
     {{{{1, 1, 0, 0}}}, 1},
     {{{{1, 1, kAside, 0}, {1, 1, -kAside, 0}, {1, 1, 0, kAside}, {1, 1, 0, -kAside}}}, 4},
     {{{{.6f, .6f, 0, 0}}}, 1},
@@ -157,6 +157,18 @@ constexpr std::array<Level, 12> kLevels = {{
        {.6f, .18f, 0, 0},
        {.18f, .6f, 0, 0}}},
      8},
+    {{{{.35f, .2f, 0, 0},
+       {.2f, .35f, 0, 0},
+       {.35f, .2f, 0, kAside},
+       {.35f, .2f, 0, -kAside},
+       {.2f, .35f, kAside, 0},
+       {.2f, .35f, -kAside, 0}}},
+     6},
+    {{{{.2f, .2f, kAside, kAside},
+       {.2f, .2f, -kAside, kAside},
+       {.2f, .2f, kAside, -kAside},
+       {.2f, .2f, -kAside, -kAside}}},
+     4},
 }};
 
 class RegressionRule {
@@ -200,22 +212,24 @@ private:
     double disagreement;  // residual over the largest the noise explains; below 1 = agrees
   };
 
-  // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, then
-  // shortened if the surface is oblique (the nearer side decides, the other may lie across a jump).
-  // Continuous.
+  // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, and from
+  // the spacing of the neurons themselves where the surface is oblique. That is measured at ε2, near enough to
+  // stay on narrow surfaces, then at ε1 (the nearer side decides, the other may lie across a jump). Continuous.
   double largestHalf(GridIndex at, GridIndex direction, double spacing) const {
     double half = std::min<double>(kMostHalf, params_.epsilon1 / std::max(spacing, 1e-9));
-    const int h = static_cast<int>(half);
-    if (h < 1) return half;
-    float squared = std::numeric_limits<float>::infinity();
-    for (int sign : {-1, 1}) {
-      const GridIndex end{at.row + sign * h * direction.row, at.col + sign * h * direction.col};
-      if (!image_.points.contains(end)) continue;
-      const float s = (image_.points(end) - image_.points(at)).squaredNorm();
-      if (s < squared) squared = s;
+    for (const double share : {params_.epsilon2 / params_.epsilon1, 1.0}) {
+      const int h = static_cast<int>(share * half);
+      if (h < 1) continue;
+      float squared = std::numeric_limits<float>::infinity();
+      for (int sign : {-1, 1}) {
+        const GridIndex end{at.row + sign * h * direction.row, at.col + sign * h * direction.col};
+        if (!image_.points.contains(end)) continue;
+        const float s = (image_.points(end) - image_.points(at)).squaredNorm();
+        if (s < squared) squared = s;
+      }
+      const double distance = std::sqrt(static_cast<double>(squared)), wanted = h * params_.epsilon1 / half;
+      if (std::isfinite(distance) && distance > wanted) half *= wanted / distance;
     }
-    const double distance = std::sqrt(static_cast<double>(squared));
-    if (std::isfinite(distance) && distance > params_.epsilon1) half *= params_.epsilon1 / distance;
     return half;
   }
 

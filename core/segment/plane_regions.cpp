@@ -84,19 +84,21 @@ private:
   float cosAgree_;
 };
 
-// Patches touch where their neurons are lattice neighbours, or stand two apart over neurons no window could
-// fit (a crease between them is weighed by the join itself).
-void connectPatches(const Grid<std::int32_t>& patch, PatchGraph& graph) {
+// Patches touch where their neurons are lattice neighbours, or stand a little apart over neurons of no patch
+// (a crease between them is weighed by the join itself).
+void connectPatches(const Grid<std::int32_t>& patch, int farthest, bool diagonally, PatchGraph& graph) {
   for (int i = 0; i < patch.rows(); ++i)
     for (int j = 0; j < patch.cols(); ++j) {
       const std::int32_t a = patch({i, j});
       if (a == kNoRegion) continue;
-      for (int reach : {1, 2}) {
-        if (i + reach < patch.rows() && patch({i + reach, j}) != kNoRegion)
-          graph.connect(a, patch({i + reach, j}));
-        if (j + reach < patch.cols() && patch({i, j + reach}) != kNoRegion)
-          graph.connect(a, patch({i, j + reach}));
-      }
+      auto offer = [&](int di, int dj) {
+        const GridIndex to{i + di, j + dj};
+        if (patch.contains(to) && patch(to) != kNoRegion) graph.connect(a, patch(to));
+      };
+      for (int reach = 1; reach <= farthest; ++reach) offer(reach, 0), offer(0, reach);
+      if (!diagonally) continue;
+      for (int di = 1; di <= farthest; ++di)
+        for (int dj = 1; dj <= farthest; ++dj) offer(di, dj), offer(di, -dj);
     }
 }
 
@@ -132,7 +134,7 @@ void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules,
     }
   PatchGraph graph;
   for (const PatchSums& s : sums) graph.addPatch(s);
-  connectPatches(region, graph);
+  connectPatches(region, 3, true, graph);
   for (const auto& [a, b] : alsoConnected) graph.connect(a, b);
   graph.joinAll(rules, execution);
   for (std::int32_t& l : regions.region.values())
@@ -258,7 +260,7 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
 
   PatchGraph graph;
   const Grid<std::int32_t> patch = Patches(neurons, blockLines, blockBeams).label(graph, execution);
-  connectPatches(patch, graph);
+  connectPatches(patch, 2, false, graph);
   PatchGraph::Rules rules;
   rules.chiSquare = kChiSquare3;
   rules.disagreement = kDisagreement;
@@ -293,7 +295,8 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
   joinRegions(neurons, rules, {}, regions, execution);
   for (size_t l = 0; l < alive.size(); ++l)
     alive[l] = alive[l] && regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
-  settle(2 * blockLines);
+  // To the end, and anew: creases show better once borders and planes have come nearer to them.
+  for (int round = 0; round < 3; ++round) settle(regions.region.rows() + regions.region.cols());
   const std::vector<char> curved = findCurvedRegions(neurons, regions);
   for (std::int32_t& l : regions.region.values())
     if (l != kNoRegion && curved[static_cast<size_t>(l)]) l = kNoRegion;
