@@ -293,14 +293,18 @@ private:
     const int lines = window.bottom - window.top + 1, beams = window.right - window.left + 1;
     const int lineParts = std::min(3, lines / 2), beamParts = std::min(3, beams / 2);
     if (lineParts * beamParts <= 3) return 0;
+    std::array<std::array<WindowSums::Means, 4>, 4> corner;
+    for (int a = 0; a <= lineParts; ++a)
+      for (int b = 0; b <= beamParts; ++b)
+        corner[static_cast<size_t>(a)][static_cast<size_t>(b)] =
+            sums.before(window.top + a * lines / lineParts, window.left + b * beams / beamParts);
     double chiSquare = 0;
     int parts = 0;
-    for (int a = 0; a < lineParts; ++a)
-      for (int b = 0; b < beamParts; ++b) {
-        const LatticeWindow part = {
-            window.top + a * lines / lineParts, window.top + (a + 1) * lines / lineParts - 1,
-            window.left + b * beams / beamParts, window.left + (b + 1) * beams / beamParts - 1};
-        const WindowSums::Means m = sums.means(part);
+    for (size_t a = 0; a < static_cast<size_t>(lineParts); ++a)
+      for (size_t b = 0; b < static_cast<size_t>(beamParts); ++b) {
+        const WindowSums::Means &p0 = corner[a][b], &p1 = corner[a][b + 1], &p2 = corner[a + 1][b],
+                                &p3 = corner[a + 1][b + 1];
+        const WindowSums::Means m = {(p3.sum - p1.sum) - (p2.sum - p0.sum), (p3.n - p1.n) - (p2.n - p0.n)};
         if (m.n < 3) continue;
         const double mean =
             r * (plane.n.dot(m.sum) / m.n + 1);  // (N·q + 1) is the range error over the range

@@ -146,6 +146,7 @@ void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules,
 // astride a crease or a ragged rest. Smallest first; each sees the ones before it gone.
 void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<char>& alive) {
   constexpr double kNearlyAsWell = 0.7;  // mean growth of the squared error, in σ²
+  constexpr size_t kEnough = 500;        // neurons of a region to know that mean by
   const Grid<std::int32_t>& region = regions.region;
   std::vector<std::vector<std::int32_t>> around(regions.planes.size());
   std::vector<std::vector<GridIndex>> members(regions.planes.size());
@@ -175,8 +176,10 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
                                 [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; }),
                  others.end());
     if (others.empty()) continue;
-    double growth = 0;
-    for (const GridIndex& at : members[l]) {
+    double growth = 0, asked = 0;
+    const size_t stride = 1 + members[l].size() / kEnough;
+    for (size_t m = 0; m < members[l].size(); m += stride) {
+      const GridIndex at = members[l][m];
       auto misfit = [&](const RangePlane& plane) {
         const double e = std::min(kFarSigmas, neurons.error(at, plane));
         return e * e + 0.25 * std::min(16.0, neurons.tilt(at, plane));
@@ -184,8 +187,9 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
       double best = misfit(regions.planes[static_cast<size_t>(others.front())]);
       for (std::int32_t o : others) best = std::min(best, misfit(regions.planes[static_cast<size_t>(o)]));
       growth += best - misfit(regions.planes[l]);
+      asked += 1;
     }
-    if (growth < kNearlyAsWell * static_cast<double>(members[l].size())) alive[l] = 0;
+    if (growth < kNearlyAsWell * asked) alive[l] = 0;
   }
 }
 
@@ -250,7 +254,15 @@ private:
 
 PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
                               const Execution& execution) {
-  const Neurons neurons{points, normals, params};
+  Neurons neurons{points, normals, params, {}};
+  neurons.rangeVariance = Grid<double>(points.range.rows(), points.range.cols());
+  parallelRows(points.range.rows(), execution, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      for (int j = 0; j < points.range.cols(); ++j) {
+        const double sigma = neurons.hasReturn({i, j}) ? normals.noise.sigmaAt(points.range({i, j})) : 0;
+        neurons.rangeVariance({i, j}) = sigma * sigma;
+      }
+  });
   const LatticeSteps latticeSteps = measureLatticeSteps(points, execution);
   const LatticeSteps::Step middle = latticeSteps.at({points.range.rows() / 2, points.range.cols() / 2});
   // Blocks about square in space.

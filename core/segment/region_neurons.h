@@ -30,6 +30,7 @@ struct Neurons {
   const PointImage& points;
   const NormalImage& normals;
   const PlaneParams& params;
+  Grid<double> rangeVariance;  ///< of the scanner alone, at each neuron's range
 
   bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
   bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
@@ -37,9 +38,8 @@ struct Neurons {
   /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the
   /// surface's own roughness.
   double variance(GridIndex i, double cosine) const {
-    const double sigma = normals.noise.sigmaAt(points.range(i)),
-                 rough = RangeNoise::kRoughness / std::max(0.05, cosine);
-    return sigma * sigma + rough * rough;
+    const double rough = RangeNoise::kRoughness / std::max(0.05, cosine);
+    return rangeVariance(i) + rough * rough;
   }
   double cosine(GridIndex i) const {
     return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i)
