@@ -308,7 +308,10 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
   for (size_t l = 0; l < alive.size(); ++l)
     alive[l] = alive[l] && regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
   // To the end, and anew: creases show better once borders and planes have come nearer to them.
-  for (int round = 0; round < 3; ++round) settle(regions.region.rows() + regions.region.cols());
+  for (int round = 0; round < 3; ++round) {
+    settle(regions.region.rows() + regions.region.cols());
+    joinRegions(neurons, rules, {}, regions, execution);
+  }
   const std::vector<char> curved = findCurvedRegions(neurons, regions);
   for (std::int32_t& l : regions.region.values())
     if (l != kNoRegion && curved[static_cast<size_t>(l)]) l = kNoRegion;
