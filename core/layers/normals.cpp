@@ -94,7 +94,7 @@ struct Level {
 // From the largest lever arm down. Within a level the best residual wins; the first level that agrees is
 // taken.
 constexpr float kAside = 0.9f;  // an off-centre window still holds its neuron a little inside
-constexpr std::array<Level, 12> kLevels = {{
+constexpr std::array<Level, 14> kLevels = {{
     {{{{1, 1, 0, 0}}}, 1},
     {{{{1, 1, kAside, 0}, {1, 1, -kAside, 0}, {1, 1, 0, kAside}, {1, 1, 0, -kAside}}}, 4},
     {{{{.6f, .6f, 0, 0}}}, 1},
@@ -157,6 +157,18 @@ constexpr std::array<Level, 12> kLevels = {{
        {.6f, .18f, 0, 0},
        {.18f, .6f, 0, 0}}},
      8},
+    {{{{.35f, .2f, 0, 0},
+       {.2f, .35f, 0, 0},
+       {.35f, .2f, 0, kAside},
+       {.35f, .2f, 0, -kAside},
+       {.2f, .35f, kAside, 0},
+       {.2f, .35f, -kAside, 0}}},
+     6},
+    {{{{.2f, .2f, kAside, kAside},
+       {.2f, .2f, -kAside, kAside},
+       {.2f, .2f, kAside, -kAside},
+       {.2f, .2f, -kAside, -kAside}}},
+     4},
 }};
 
 class RegressionRule {
@@ -200,22 +212,24 @@ private:
     double disagreement;  // residual over the largest the noise explains; below 1 = agrees
   };
 
-  // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, then
-  // shortened if the surface is oblique (the nearer side decides, the other may lie across a jump).
-  // Continuous.
+  // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, and from
+  // the spacing of the neurons themselves where the surface is oblique. That is measured at ε2, near enough to
+  // stay on narrow surfaces, then at ε1 (the nearer side decides, the other may lie across a jump). Continuous.
   double largestHalf(GridIndex at, GridIndex direction, double spacing) const {
     double half = std::min<double>(kMostHalf, params_.epsilon1 / std::max(spacing, 1e-9));
-    const int h = static_cast<int>(half);
-    if (h < 1) return half;
-    float squared = std::numeric_limits<float>::infinity();
-    for (int sign : {-1, 1}) {
-      const GridIndex end{at.row + sign * h * direction.row, at.col + sign * h * direction.col};
-      if (!image_.points.contains(end)) continue;
-      const float s = (image_.points(end) - image_.points(at)).squaredNorm();
-      if (s < squared) squared = s;
+    for (const double share : {params_.epsilon2 / params_.epsilon1, 1.0}) {
+      const int h = static_cast<int>(share * half);
+      if (h < 1) continue;
+      float squared = std::numeric_limits<float>::infinity();
+      for (int sign : {-1, 1}) {
+        const GridIndex end{at.row + sign * h * direction.row, at.col + sign * h * direction.col};
+        if (!image_.points.contains(end)) continue;
+        const float s = (image_.points(end) - image_.points(at)).squaredNorm();
+        if (s < squared) squared = s;
+      }
+      const double distance = std::sqrt(static_cast<double>(squared)), wanted = h * params_.epsilon1 / half;
+      if (std::isfinite(distance) && distance > wanted) half *= wanted / distance;
     }
-    const double distance = std::sqrt(static_cast<double>(squared));
-    if (std::isfinite(distance) && distance > params_.epsilon1) half *= params_.epsilon1 / distance;
     return half;
   }
 
@@ -279,14 +293,18 @@ private:
     const int lines = window.bottom - window.top + 1, beams = window.right - window.left + 1;
     const int lineParts = std::min(3, lines / 2), beamParts = std::min(3, beams / 2);
     if (lineParts * beamParts <= 3) return 0;
+    std::array<std::array<WindowSums::Means, 4>, 4> corner;
+    for (int a = 0; a <= lineParts; ++a)
+      for (int b = 0; b <= beamParts; ++b)
+        corner[static_cast<size_t>(a)][static_cast<size_t>(b)] =
+            sums.before(window.top + a * lines / lineParts, window.left + b * beams / beamParts);
     double chiSquare = 0;
     int parts = 0;
-    for (int a = 0; a < lineParts; ++a)
-      for (int b = 0; b < beamParts; ++b) {
-        const LatticeWindow part = {
-            window.top + a * lines / lineParts, window.top + (a + 1) * lines / lineParts - 1,
-            window.left + b * beams / beamParts, window.left + (b + 1) * beams / beamParts - 1};
-        const WindowSums::Means m = sums.means(part);
+    for (size_t a = 0; a < static_cast<size_t>(lineParts); ++a)
+      for (size_t b = 0; b < static_cast<size_t>(beamParts); ++b) {
+        const WindowSums::Means &p0 = corner[a][b], &p1 = corner[a][b + 1], &p2 = corner[a + 1][b],
+                                &p3 = corner[a + 1][b + 1];
+        const WindowSums::Means m = {(p3.sum - p1.sum) - (p2.sum - p0.sum), (p3.n - p1.n) - (p2.n - p0.n)};
         if (m.n < 3) continue;
         const double mean =
             r * (plane.n.dot(m.sum) / m.n + 1);  // (N·q + 1) is the range error over the range

@@ -63,11 +63,4 @@ WindowSums::Sums WindowSums::over(const LatticeWindow& window) const {
   return sums;
 }
 
-WindowSums::Means WindowSums::means(const LatticeWindow& window) const {
-  const Entry &a = at(window.top, window.left), &b = at(window.top, window.right + 1),
-              &c = at(window.bottom + 1, window.left), &d = at(window.bottom + 1, window.right + 1);
-  auto term = [&](size_t t) { return (d[t] - b[t]) - (c[t] - a[t]); };
-  return {{term(6), term(7), term(8)}, term(9)};
-}
-
 }  // namespace stratascope

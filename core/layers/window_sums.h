@@ -34,12 +34,16 @@ public:
              const Execution& execution = {});
   /// Of a window that lies within those lines.
   Sums over(const LatticeWindow& window) const;
-  /// The first moments alone.
   struct Means {
     Eigen::Vector3d sum;
     double n;
   };
-  Means means(const LatticeWindow& window) const;
+  /// First moments of everything before a corner: a window's follow from its four, which windows side by side
+  /// share.
+  Means before(int line, int beam) const {
+    const Entry& e = at(line, beam);
+    return {{e[6], e[7], e[8]}, e[9]};
+  }
   int firstLine() const { return first_; }
   int endLine() const { return end_; }
 

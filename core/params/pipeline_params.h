@@ -37,7 +37,7 @@ struct PlaneParams {
   PlaneFit fit = PlaneFit::TotalLeastSquares;
   double angleToleranceDeg = 15;  ///< the same parameter as ClassParams'
   double planeDistance = 0.03;    ///< farther points are never of the plane
-  int minPlanePoints = 60;        ///< smaller regions are no planes
+  int minPlanePoints = 90;        ///< smaller regions are no planes
   bool joinCoplanar = false;       ///< join pieces of one plane split by an occluder
   bool operator==(const PlaneParams&) const = default;
 };

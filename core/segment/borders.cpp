@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "cnn/layer.h"
 #include "cnn/neighbourhood.h"
 
 namespace stratascope {
@@ -21,37 +20,8 @@ public:
   Creases(const Neurons& neurons, const PlaneRegions& regions) {
     // Neurons some steps inside one region, with the other region near: does the other plane lie before or
     // behind them? A crease gives both sides the same answer; a jump in depth or a parallel plane does not.
-    constexpr int kInside = 7;
-    const Grid<std::int32_t>& region = regions.region;
-    struct Side {
-      double sum = 0, count = 0;
-    };
-    std::map<std::pair<std::int32_t, std::int32_t>, Side> sides;  // (own, other)
-    for (int i = 0; i < region.rows(); ++i)
-      for (int j = 0; j < region.cols(); ++j) {
-        const std::int32_t own = region({i, j});
-        if (own == kNoRegion) continue;
-        for (const GridIndex to : {GridIndex{i - kInside, j}, GridIndex{i + kInside, j},
-                                   GridIndex{i, j - kInside}, GridIndex{i, j + kInside}}) {
-          if (!region.contains(to)) continue;
-          const std::int32_t other = region(to);
-          if (other == kNoRegion || other == own) continue;
-          const Eigen::Vector3d q = neurons.q({i, j});
-          const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q) -
-                               regions.planes[static_cast<size_t>(own)].rangeError(q);
-          Side& side = sides[{own, other}];
-          side.sum += std::clamp(ahead, -1.0, 1.0);
-          side.count += 1;
-        }
-      }
-    constexpr double kFewest = 6;
-    for (const auto& [pair, side] : sides) {
-      if (pair.first > pair.second) continue;
-      const auto back = sides.find({pair.second, pair.first});
-      if (back == sides.end() || side.count < kFewest || back->second.count < kFewest) continue;
-      if (side.sum < 0 && back->second.sum < 0) kinds_[pair] = Kind::Convex;
-      if (side.sum > 0 && back->second.sum > 0) kinds_[pair] = Kind::Concave;
-    }
+    // Where the border itself is still far off its crease, the answer is clear only farther inside.
+    for (const int inside : {7, 14, 28}) ask(neurons, regions, inside);
   }
 
   Kind between(std::int32_t a, std::int32_t b) const {
@@ -60,6 +30,42 @@ public:
   }
 
 private:
+  void ask(const Neurons& neurons, const PlaneRegions& regions, int inside) {
+    const Grid<std::int32_t>& region = regions.region;
+    struct Side {
+      double sum = 0, count = 0;
+    };
+    std::map<std::pair<std::int32_t, std::int32_t>, Side> sides;  // (own, other)
+    std::pair<std::int32_t, std::int32_t> lastPair{kNoRegion, kNoRegion};
+    Side* last = nullptr;
+    for (int i = 0; i < region.rows(); i += inside / 7)  // farther inside there are more to ask
+      for (int j = 0; j < region.cols(); ++j) {
+        const std::int32_t own = region({i, j});
+        if (own == kNoRegion) continue;
+        for (const GridIndex to : {GridIndex{i - inside, j}, GridIndex{i + inside, j},
+                                   GridIndex{i, j - inside}, GridIndex{i, j + inside}}) {
+          if (!region.contains(to)) continue;
+          const std::int32_t other = region(to);
+          if (other == kNoRegion || other == own) continue;
+          const Eigen::Vector3d q = neurons.q({i, j});
+          const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q) -
+                               regions.planes[static_cast<size_t>(own)].rangeError(q);
+          if (const std::pair pair{own, other}; pair != lastPair) lastPair = pair, last = &sides[pair];
+          Side& side = *last;
+          side.sum += std::clamp(ahead, -1.0, 1.0);
+          side.count += 1;
+        }
+      }
+    constexpr double kFewest = 6;
+    for (const auto& [pair, side] : sides) {
+      if (pair.first > pair.second || kinds_.contains(pair)) continue;
+      const auto back = sides.find({pair.second, pair.first});
+      if (back == sides.end() || side.count < kFewest || back->second.count < kFewest) continue;
+      if (side.sum < 0 && back->second.sum < 0) kinds_[pair] = Kind::Convex;
+      if (side.sum > 0 && back->second.sum > 0) kinds_[pair] = Kind::Concave;
+    }
+  }
+
   std::map<std::pair<std::int32_t, std::int32_t>, Kind> kinds_;
 };
 
@@ -140,9 +146,40 @@ void settleBorders(const Neurons& neurons, const std::vector<char>& alive, int m
                    PlaneRegions& regions, const Execution& execution) {
   const Creases creases(neurons, regions);
   const BorderRule rule(neurons, regions.planes, alive, creases);
-  Layer<std::int32_t> layer(std::move(regions.region));
-  layer.settle(rule, mostSteps, execution);
-  regions.region = std::move(layer).release();
+  Grid<std::int32_t>& region = regions.region;
+  // A neuron reads its 3 × 3 neighbours only, so it can change only after one of them did: the list of such
+  // neurons is all a synchronous step has to visit.
+  std::vector<GridIndex> active, next;
+  for (int i = 0; i < region.rows(); ++i)
+    for (int j = 0; j < region.cols(); ++j) {
+      const std::int32_t own = region({i, j});
+      bool border = own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}));
+      for (size_t k = 0; k < 8 && !border; ++k) {
+        const GridIndex to{i + kLatticeDirections[k].row, j + kLatticeDirections[k].col};
+        border = region.contains(to) && region(to) != own;
+      }
+      if (border) active.push_back({i, j});
+    }
+  Grid<int> listed(region.rows(), region.cols(), -1);  // the step a neuron was last put on the list
+  std::vector<std::pair<GridIndex, std::int32_t>> changes;
+  for (int step = 0; step < mostSteps && !active.empty(); ++step) {
+    throwIfStopped(execution);
+    changes.clear();
+    for (const GridIndex& at : active)
+      if (const std::int32_t to = rule(at, region); to != region(at)) changes.emplace_back(at, to);
+    next.clear();
+    for (const auto& [at, to] : changes) {
+      region(at) = to;
+      for (int di = -1; di <= 1; ++di)
+        for (int dj = -1; dj <= 1; ++dj) {
+          const GridIndex near{at.row + di, at.col + dj};
+          if (!region.contains(near) || listed(near) == step) continue;
+          listed(near) = step;
+          next.push_back(near);
+        }
+    }
+    std::swap(active, next);
+  }
 }
 
 }  // namespace stratascope

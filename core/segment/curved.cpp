@@ -29,11 +29,13 @@ struct Quadratic {
     squares += weight * d * d;
     n += 1;
   }
+  double errorOf(const Vector6& c) const { return squares - 2 * c.dot(b) + c.dot(a * c); }
 };
 
 struct Verdict {
   double planeError = 0, quadraticError = 0;  // χ²
   double radius = 0;                          // of the stronger bend
+  Vector6 coefficients = Vector6::Zero();
   bool known = false;
 };
 
@@ -45,6 +47,7 @@ Verdict judge(const Quadratic& q) {
   if (full.info() != Eigen::Success || flat.info() != Eigen::Success) return verdict;
   const Vector6 c = full.solve(q.b);
   if (!c.allFinite()) return verdict;
+  verdict.coefficients = c;
   verdict.quadraticError = std::max(0.0, q.squares - c.dot(q.b));
   verdict.planeError = std::max(0.0, q.squares - q.b.head<3>().dot(flat.solve(q.b.head<3>())));
   Eigen::Matrix2d hessian;
@@ -80,6 +83,8 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
       if (region({i, j}) != kNoRegion) members[static_cast<size_t>(region({i, j}))].push_back({i, j});
 
   constexpr double kSignificant = 40;     // χ² that three more coefficients must save
+  constexpr double kNoticeable = 0.12;    // χ² a neuron, too: some strays at a border make no curve
+  constexpr double kNoMatter = 0.05;      // χ² a neuron by which the bend around may suit the region worse
   constexpr double kFitsWell = 2.0;       // χ² a neuron up to which the quadratic counts as an explanation
   constexpr int kAround = 4;              // neurons
   constexpr double kNarrowGrowth = 1.35;  // surroundings that add this much make a region narrow
@@ -101,7 +106,7 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
     }
     const Verdict inside = judge(own);
     if (inside.known && inside.radius < kLargestRadius &&
-        inside.planeError - inside.quadraticError > kSignificant &&
+        inside.planeError - inside.quadraticError > std::max(kSignificant, kNoticeable * own.n) &&
         inside.quadraticError < kFitsWell * own.n) {
       curved[l] = 1;
       continue;
@@ -129,7 +134,9 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
     curved[l] = together.known && together.radius < kLargestRadius &&
                 together.planeError > 2 * together.quadraticError &&
                 together.planeError - together.quadraticError > kSignificant &&
-                together.quadraticError < kFitsWell * wide.n;
+                together.quadraticError < kFitsWell * wide.n &&
+                own.errorOf(together.coefficients) - inside.planeError <
+                    std::max(kSignificant, kNoMatter * own.n);
   }
   return curved;
 }

@@ -84,19 +84,21 @@ private:
   float cosAgree_;
 };
 
-// Patches touch where their neurons are lattice neighbours, or stand two apart over neurons no window could
-// fit (a crease between them is weighed by the join itself).
-void connectPatches(const Grid<std::int32_t>& patch, PatchGraph& graph) {
+// Patches touch where their neurons are lattice neighbours, or stand a little apart over neurons of no patch
+// (a crease between them is weighed by the join itself).
+void connectPatches(const Grid<std::int32_t>& patch, int farthest, bool diagonally, PatchGraph& graph) {
   for (int i = 0; i < patch.rows(); ++i)
     for (int j = 0; j < patch.cols(); ++j) {
       const std::int32_t a = patch({i, j});
       if (a == kNoRegion) continue;
-      for (int reach : {1, 2}) {
-        if (i + reach < patch.rows() && patch({i + reach, j}) != kNoRegion)
-          graph.connect(a, patch({i + reach, j}));
-        if (j + reach < patch.cols() && patch({i, j + reach}) != kNoRegion)
-          graph.connect(a, patch({i, j + reach}));
-      }
+      auto offer = [&](int di, int dj) {
+        const GridIndex to{i + di, j + dj};
+        if (patch.contains(to) && patch(to) != kNoRegion) graph.connect(a, patch(to));
+      };
+      for (int reach = 1; reach <= farthest; ++reach) offer(reach, 0), offer(0, reach);
+      if (!diagonally) continue;
+      for (int di = 1; di <= farthest; ++di)
+        for (int dj = 1; dj <= farthest; ++dj) offer(di, dj), offer(di, -dj);
     }
 }
 
@@ -132,7 +134,7 @@ void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules,
     }
   PatchGraph graph;
   for (const PatchSums& s : sums) graph.addPatch(s);
-  connectPatches(region, graph);
+  connectPatches(region, 3, true, graph);
   for (const auto& [a, b] : alsoConnected) graph.connect(a, b);
   graph.joinAll(rules, execution);
   for (std::int32_t& l : regions.region.values())
@@ -144,6 +146,7 @@ void joinRegions(const Neurons& neurons, const PatchGraph::Rules& rules,
 // astride a crease or a ragged rest. Smallest first; each sees the ones before it gone.
 void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<char>& alive) {
   constexpr double kNearlyAsWell = 0.7;  // mean growth of the squared error, in σ²
+  constexpr size_t kEnough = 500;        // neurons of a region to know that mean by
   const Grid<std::int32_t>& region = regions.region;
   std::vector<std::vector<std::int32_t>> around(regions.planes.size());
   std::vector<std::vector<GridIndex>> members(regions.planes.size());
@@ -173,8 +176,10 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
                                 [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; }),
                  others.end());
     if (others.empty()) continue;
-    double growth = 0;
-    for (const GridIndex& at : members[l]) {
+    double growth = 0, asked = 0;
+    const size_t stride = 1 + members[l].size() / kEnough;
+    for (size_t m = 0; m < members[l].size(); m += stride) {
+      const GridIndex at = members[l][m];
       auto misfit = [&](const RangePlane& plane) {
         const double e = std::min(kFarSigmas, neurons.error(at, plane));
         return e * e + 0.25 * std::min(16.0, neurons.tilt(at, plane));
@@ -182,8 +187,9 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
       double best = misfit(regions.planes[static_cast<size_t>(others.front())]);
       for (std::int32_t o : others) best = std::min(best, misfit(regions.planes[static_cast<size_t>(o)]));
       growth += best - misfit(regions.planes[l]);
+      asked += 1;
     }
-    if (growth < kNearlyAsWell * static_cast<double>(members[l].size())) alive[l] = 0;
+    if (growth < kNearlyAsWell * asked) alive[l] = 0;
   }
 }
 
@@ -248,7 +254,15 @@ private:
 
 PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
                               const Execution& execution) {
-  const Neurons neurons{points, normals, params};
+  Neurons neurons{points, normals, params, {}};
+  neurons.rangeVariance = Grid<double>(points.range.rows(), points.range.cols());
+  parallelRows(points.range.rows(), execution, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      for (int j = 0; j < points.range.cols(); ++j) {
+        const double sigma = neurons.hasReturn({i, j}) ? normals.noise.sigmaAt(points.range({i, j})) : 0;
+        neurons.rangeVariance({i, j}) = sigma * sigma;
+      }
+  });
   const LatticeSteps latticeSteps = measureLatticeSteps(points, execution);
   const LatticeSteps::Step middle = latticeSteps.at({points.range.rows() / 2, points.range.cols() / 2});
   // Blocks about square in space.
@@ -258,7 +272,7 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
 
   PatchGraph graph;
   const Grid<std::int32_t> patch = Patches(neurons, blockLines, blockBeams).label(graph, execution);
-  connectPatches(patch, graph);
+  connectPatches(patch, 2, false, graph);
   PatchGraph::Rules rules;
   rules.chiSquare = kChiSquare3;
   rules.disagreement = kDisagreement;
@@ -293,7 +307,11 @@ PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& norma
   joinRegions(neurons, rules, {}, regions, execution);
   for (size_t l = 0; l < alive.size(); ++l)
     alive[l] = alive[l] && regions.size[l] >= static_cast<size_t>(params.minPlanePoints);
-  settle(2 * blockLines);
+  // To the end, and anew: creases show better once borders and planes have come nearer to them.
+  for (int round = 0; round < 3; ++round) {
+    settle(regions.region.rows() + regions.region.cols());
+    joinRegions(neurons, rules, {}, regions, execution);
+  }
   const std::vector<char> curved = findCurvedRegions(neurons, regions);
   for (std::int32_t& l : regions.region.values())
     if (l != kNoRegion && curved[static_cast<size_t>(l)]) l = kNoRegion;

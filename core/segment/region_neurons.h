@@ -21,12 +21,16 @@ inline constexpr double kTiltShare = 0.3;
 /// Walls and floors are uneven by about this share of the plane distance (7.5 mm by default): pieces nearer
 /// to each other's plane than that are one.
 inline constexpr double kUnevenShare = 0.25;
+/// The same for one neuron beside its own region, where the plane has adapted: of two planes that both come
+/// near, noise alone must decide, or borders wander.
+inline constexpr double kUnevenNeuron = 0.03;
 
 /// What the rules of segmentation ask about neurons. All in the sensor's frame.
 struct Neurons {
   const PointImage& points;
   const NormalImage& normals;
   const PlaneParams& params;
+  Grid<double> rangeVariance;  ///< of the scanner alone, at each neuron's range
 
   bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
   bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
@@ -34,9 +38,8 @@ struct Neurons {
   /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the
   /// surface's own roughness.
   double variance(GridIndex i, double cosine) const {
-    const double sigma = normals.noise.sigmaAt(points.range(i)),
-                 rough = RangeNoise::kRoughness / std::max(0.05, cosine);
-    return sigma * sigma + rough * rough;
+    const double rough = RangeNoise::kRoughness / std::max(0.05, cosine);
+    return rangeVariance(i) + rough * rough;
   }
   double cosine(GridIndex i) const {
     return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i)
@@ -71,7 +74,7 @@ struct Neurons {
     const double sine = normals.normals(i).cast<double>().cross(plane.normal()).norm();
     const double cosine = std::max(0.05, plane.cosIncidence(q(i)));
     const double spread =
-        std::max(kTiltShare * std::sqrt(variance(i, cosine)), 0.5 * kUnevenShare * params.planeDistance);
+        std::max(kTiltShare * std::sqrt(variance(i, cosine)), kUnevenNeuron * params.planeDistance);
     const double tilted = kLever * sine / spread;
     return tilted * tilted;
   }
@@ -81,7 +84,7 @@ struct Neurons {
     const Eigen::Vector3d at = q(i);
     const double along = plane.rangeError(at);
     const double cosine = std::max(0.05, plane.cosIncidence(at)),
-                 uneven = 0.5 * kUnevenShare * params.planeDistance / cosine;
+                 uneven = kUnevenNeuron * params.planeDistance / cosine;
     const double noise = std::sqrt(variance(i, cosine));
     if (std::abs(plane.distance(at)) > std::max(params.planeDistance, kFarSigmas * noise * cosine))
       return std::numeric_limits<double>::infinity();
