@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 
 #include "base/units.h"
 #include "layers/normals.h"
@@ -30,14 +31,21 @@ struct ScanCache {
   std::optional<double> edges;
 };
 
-// The plane of a point of an unordered cloud: its neuron's, or, where a nearer point took the neuron, that
-// one's plane if the point lies in it.
+// The plane of a point of an unordered cloud: that of the neuron that stands for it, if the point lies in it.
 std::vector<PlaneLabel> labelsOfCloud(const ScanProducts& scan, double planeDistance) {
+  std::unordered_map<PlaneLabel, const Plane*> planes;
+  for (const Plane& plane : scan.planes->planes) planes[plane.label] = &plane;
   std::vector<PlaneLabel> labels(scan.cloud->size(), kNoPlane);
-  (void)planeDistance;
   for (size_t i = 0; i < labels.size(); ++i) {
     const std::int32_t neuron = scan.scan->neuronOfPoint[i];
-    if (neuron >= 0) labels[i] = scan.planes->labels[static_cast<size_t>(neuron)];
+    if (neuron < 0) continue;
+    const PlaneLabel label = scan.planes->labels[static_cast<size_t>(neuron)];
+    const auto plane = planes.find(label);
+    if (plane == planes.end()) continue;
+    const Eigen::Vector3f& p = (*scan.cloud)[i];
+    const bool isNeuron = p == scan.points->points[static_cast<size_t>(neuron)];
+    const double distance = plane->second->normal.dot(p.cast<double>()) - plane->second->offset;
+    if (isNeuron || std::abs(distance) <= planeDistance) labels[i] = label;
   }
   return labels;
 }

@@ -39,6 +39,7 @@ Expected<FittedPlane> fitTotalLeastSquares(const PointMoments& moments);
 /// fewer than 3 points, or a condition above kWorstCondition (the condition is in the text).
 Expected<FittedPlane> fitPaperRegression(const PointMoments& moments);
 inline constexpr double kWorstCondition = 1e7;
+inline constexpr double kWorstRmsRatio = 1.5;
 
 /// Eq. (10): mean absolute distance from the plane; for Gaussian residuals 0.798 of their standard deviation.
 double meanAbsoluteDistance(const FittedPlane& plane, std::span<const Eigen::Vector3d> points);

@@ -42,7 +42,7 @@ PipelineParams allDifferent() {
   p.range = {0.3, 12.5};
   p.normals = {0.31, 0.07, NormalEstimator::Adaptive};
   p.classes = {11, 22, true, false};
-  p.planes = {PlaneFit::Paper, 11, 0.1, 17, false};
+  p.planes = {PlaneFit::Paper, 11, 0.1, 17, true};
   p.grid = {1.0 / 3};
   p.intervals = {0.2, IntervalRule::Paper};
   return p;

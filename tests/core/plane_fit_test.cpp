@@ -145,6 +145,19 @@ TEST(PaperRegression, RefusesAPlaneThroughTheOriginAndSaysWhy) {
   }
 }
 
+TEST(PaperRegression, RefusesANoisyFloorRatherThanReturnNonsense) {
+  for (double sigma : {0.005, 0.015}) {
+    const PointMoments floor = momentsOf(patch(Vector3d::UnitZ(), 0, {4, 0, 0}, 2000, sigma, 7));
+    const auto fit = fitPaperRegression(floor);
+    ASSERT_FALSE(fit) << sigma;
+    EXPECT_NE(fit.error().message().find("condition"), std::string::npos);
+  }
+  // A table half a metre from the origin is far enough.
+  const auto table = fitPaperRegression(momentsOf(patch(Vector3d::UnitZ(), 0.5, {4, 0, 0.5}, 2000, 0.005, 7)));
+  ASSERT_TRUE(table) << table.error().message();
+  EXPECT_GT(std::abs(table->normal.z()), std::cos(degToRad(0.5)));
+}
+
 TEST(PlaneQuality, EquationTenIsFourFifthsOfAGaussian) {
   const double s = 0.005;
   const auto points = patch(Vector3d(1, -1, 2).normalized(), 2, {0, 0, 1}, 40000, s, 6);
