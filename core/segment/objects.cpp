@@ -78,28 +78,48 @@ std::vector<Eigen::Vector3d> convexHull(const std::vector<Eigen::Vector3d>& poin
   return hull;
 }
 
-// Floor: the largest level below the sensor that looks up, and what lies as high; ceiling likewise above.
+// A level: horizontal planes that look the same way, their heights linked by gaps below kLevelGap, as a map's
+// intervals are. An uneven floor is one level, the steps of a stair are not.
+struct Level {
+  double lowest = 0, highest = 0, area = 0;
+  std::vector<Plane*> planes;
+};
+
+std::vector<Level> levelsOf(std::vector<Plane>& planes, bool up) {
+  constexpr double kLevelGap = 0.08;  // metres; half the rise of a low step
+  std::vector<Plane*> horizontal;
+  for (Plane& p : planes)
+    if (p.surfaceClass == SurfaceClass::Horizontal && (p.normal.z() > 0) == up) horizontal.push_back(&p);
+  std::sort(horizontal.begin(), horizontal.end(), [](const Plane* a, const Plane* b) {
+    return a->centroid.z() != b->centroid.z() ? a->centroid.z() < b->centroid.z() : a->label < b->label;
+  });
+  std::vector<Level> levels;
+  for (Plane* p : horizontal) {
+    const double z = p->centroid.z();
+    if (levels.empty() || z - levels.back().highest >= kLevelGap) levels.push_back({z, z, 0, {}});
+    levels.back().highest = z;
+    levels.back().area += p->area;
+    levels.back().planes.push_back(p);
+  }
+  return levels;
+}
+
+// Floor: the largest level below the sensor that looks up; ceiling: the largest above it that looks down.
 void nameLevels(std::vector<Plane>& planes, double sensorHeight) {
-  constexpr double kSameLevel = 0.06;  // metres
-  const Plane *floor = nullptr, *ceiling = nullptr;
-  for (const Plane& p : planes) {
-    if (p.surfaceClass != SurfaceClass::Horizontal) continue;
-    const bool up = p.normal.z() > 0;
-    if (up && p.centroid.z() < sensorHeight && (!floor || p.area > floor->area)) floor = &p;
-    if (!up && p.centroid.z() > sensorHeight && (!ceiling || p.area > ceiling->area)) ceiling = &p;
-  }
-  for (Plane& p : planes) {
-    if (p.surfaceClass != SurfaceClass::Horizontal) continue;
-    const double z = p.centroid.z();
-    if (p.normal.z() > 0) {
-      if (!floor) continue;
-      p.role = std::abs(z - floor->centroid.z()) <= kSameLevel ? "floor"
-               : z > floor->centroid.z()                       ? "raised"
-                                                               : "lowered";
-    } else if (ceiling && std::abs(z - ceiling->centroid.z()) <= kSameLevel) {
-      p.role = "ceiling";
-    }
-  }
+  std::vector<Level> up = levelsOf(planes, true), down = levelsOf(planes, false);
+  const auto byArea = [](const Level& a, const Level& b) { return a.area < b.area; };
+  const auto above =
+      std::stable_partition(up.begin(), up.end(), [&](const Level& l) { return l.lowest < sensorHeight; });
+  const auto floor = std::max_element(up.begin(), above, byArea);
+  if (floor != above)
+    for (Level& level : up)
+      for (Plane* p : level.planes)
+        p->role = &level == &*floor ? "floor" : level.lowest > floor->lowest ? "raised" : "lowered";
+  const auto low = std::stable_partition(down.begin(), down.end(),
+                                         [&](const Level& l) { return l.highest > sensorHeight; });
+  const auto ceiling = std::max_element(down.begin(), low, byArea);
+  if (ceiling != low)
+    for (Plane* p : ceiling->planes) p->role = "ceiling";
 }
 
 }  // namespace
