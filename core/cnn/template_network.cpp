@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace stratascope {
 
@@ -28,19 +29,42 @@ void CnnTemplate::check() const {
 
 namespace {
 
-// Σ over the neighbourhood of weights(k,l)·values(k,l); neurons outside the lattice stand at `boundary`.
-double weighted(const Grid<double>& weights, const Grid<double>& values, GridIndex at, double boundary) {
-  const int r = weights.rows() / 2;
-  double sum = 0;
-  for (int di = -r; di <= r; ++di)
-    for (int dj = -r; dj <= r; ++dj) {
-      const double w = weights({di + r, dj + r});
-      if (w == 0) continue;
-      const GridIndex from{at.row + di, at.col + dj};
-      sum += w * (values.contains(from) ? values(from) : boundary);
+/// The weights of a template that are not 0, in row-major order.
+class Weights {
+public:
+  Weights(const Grid<double>& weights, int cols) : radius_(weights.rows() / 2) {
+    for (int di = -radius_; di <= radius_; ++di)
+      for (int dj = -radius_; dj <= radius_; ++dj)
+        if (const double w = weights({di + radius_, dj + radius_}); w != 0)
+          taps_.push_back({di, dj, static_cast<std::ptrdiff_t>(di) * cols + dj, w});
+  }
+
+  /// Σ over the neighbourhood of weight·value; neurons outside the lattice stand at `boundary`.
+  double sum(const Grid<double>& values, GridIndex at, double boundary) const {
+    double total = 0;
+    const bool inside = at.row >= radius_ && at.row + radius_ < values.rows() && at.col >= radius_ &&
+                        at.col + radius_ < values.cols();
+    if (inside) {
+      const double* centre = values.values().data() + values.offset(at);
+      for (const Tap& tap : taps_) total += tap.weight * centre[tap.offset];
+    } else {
+      for (const Tap& tap : taps_) {
+        const GridIndex from{at.row + tap.line, at.col + tap.beam};
+        total += tap.weight * (values.contains(from) ? values(from) : boundary);
+      }
     }
-  return sum;
-}
+    return total;
+  }
+
+private:
+  struct Tap {
+    int line, beam;
+    std::ptrdiff_t offset;
+    double weight;
+  };
+  int radius_;
+  std::vector<Tap> taps_;
+};
 
 }  // namespace
 
@@ -60,16 +84,18 @@ TemplateNetwork::TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state
 void TemplateNetwork::computeDrive(const Execution& execution) {
   if (drive_.size() == state_.size()) return;
   drive_ = Grid<double>(state_.rows(), state_.cols());
+  const Weights feedForward(template_.feedForward, state_.cols());
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       for (int j = 0; j < state_.cols(); ++j)
-        drive_({i, j}) = weighted(template_.feedForward, input_, {i, j}, boundary_) + template_.bias;
+        drive_({i, j}) = feedForward.sum(input_, {i, j}, boundary_) + template_.bias;
   });
 }
 
 void TemplateNetwork::step(double keep, double gain, const Execution& execution) {
   computeDrive(execution);
   const double outside = outputOf(template_.output, boundary_);
+  const Weights feedback(template_.feedback, state_.cols());
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       for (int j = 0; j < state_.cols(); ++j) output_({i, j}) = outputOf(template_.output, state_({i, j}));
@@ -77,8 +103,8 @@ void TemplateNetwork::step(double keep, double gain, const Execution& execution)
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       for (int j = 0; j < state_.cols(); ++j)
-        next_({i, j}) = keep * state_({i, j}) +
-                        gain * (weighted(template_.feedback, output_, {i, j}, outside) + drive_({i, j}));
+        next_({i, j}) =
+            keep * state_({i, j}) + gain * (feedback.sum(output_, {i, j}, outside) + drive_({i, j}));
   });
   std::swap(state_, next_);
 }

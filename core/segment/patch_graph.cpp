@@ -17,8 +17,12 @@ int PatchGraph::addPatch(const PatchSums& sums) {
 
 void PatchGraph::connect(int a, int b) {
   if (a == b) return;
-  patches_[static_cast<size_t>(a)].neighbours.push_back(b);
-  patches_[static_cast<size_t>(b)].neighbours.push_back(a);
+  // Along a shared border the same pair is told again and again.
+  std::vector<int>&ofA = patches_[static_cast<size_t>(a)].neighbours,
+  &ofB = patches_[static_cast<size_t>(b)].neighbours;
+  if (!ofA.empty() && ofA.back() == b && !ofB.empty() && ofB.back() == a) return;
+  ofA.push_back(b);
+  ofB.push_back(a);
 }
 
 int PatchGraph::find(int patch) const {

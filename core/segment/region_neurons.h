@@ -53,20 +53,22 @@ struct Neurons {
     const double c = std::max(0.05, cosine(i)), uneven = kUnevenShare * params.planeDistance / c;
     return uneven * uneven / variance(i, c);
   }
-  /// The neuron's own point, and four on its local plane around it.
+  /// The neuron's own point, and four on its local plane around it: foot ± u, foot ± v with u, v a lever long
+  /// and u ⊥ v ⊥ n, so that uuᵀ + vvᵀ = lever²·(1 − nnᵀ) and no direction in the plane need be chosen.
   void addTo(PatchSums& sums, GridIndex i) const {
     const Eigen::Vector3d at = q(i), n = normals.normals(i).cast<double>();
-    const double w = weight(i), reach = kLever;
+    const double w = weight(i), spread = 0.5 * w * kLever * kLever;
     sums.measured.add(at, w);
     sums.slack += slack(i);
     sums.normal += n;
     const Eigen::Vector3d foot = at - (n.dot(at) + normals.distance(i)) * n;
-    const Eigen::Vector3d helper =
-        std::abs(n.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-    const Eigen::Vector3d u = reach * helper.cross(n).normalized(), v = n.cross(u);
-    for (const Eigen::Vector3d& p : {Eigen::Vector3d(foot + u), Eigen::Vector3d(foot - u),
-                                     Eigen::Vector3d(foot + v), Eigen::Vector3d(foot - v)})
-      sums.local.add(p, 0.25 * w);
+    RangePlaneSums& local = sums.local;
+    local.add(foot, w);
+    local.xx += spread * (1 - n.x() * n.x()), local.xy -= spread * n.x() * n.y(),
+        local.xz -= spread * n.x() * n.z();
+    local.yy += spread * (1 - n.y() * n.y()), local.yz -= spread * n.y() * n.z();
+    local.zz += spread * (1 - n.z() * n.z());
+    local.n += 3;
   }
   /// Squared disagreement of the neuron's normal with a plane in the errors normals have; 0 without a normal.
   double tilt(GridIndex i, const RangePlane& plane) const {
