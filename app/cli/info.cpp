@@ -25,22 +25,10 @@ Json array(const Eigen::Vector3d& v) {
   return Json::array({v.x(), v.y(), v.z()});
 }
 
-const char* originName(LatticeOrigin origin) {
-  switch (origin) {
-    case LatticeOrigin::Native:
-      return "native";
-    case LatticeOrigin::Recovered:
-      return "recovered";
-    case LatticeOrigin::Projected:
-      return "projected";
-  }
-  return "";
-}
-
 Json latticeJson(const Scan& scan) {
   return {{"lines", scan.lattice->lines()},
           {"beams", scan.lattice->beams()},
-          {"origin", originName(scan.latticeOrigin)}};
+          {"origin", latticeOriginName(scan.latticeOrigin)}};
 }
 
 std::string asJson(const Scan& scan, const ScanSummary& summary) {

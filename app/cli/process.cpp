@@ -12,6 +12,7 @@
 #include "app/cli/text_table.h"
 #include "io/export.h"
 #include "io/file_util.h"
+#include "layers/surface_class.h"
 #include "pipeline/pipeline.h"
 
 namespace stratascope::cli {
@@ -23,28 +24,6 @@ struct ProcessOptions {
   bool json = false;
   ParamOptions params;
 };
-
-const char* className(SurfaceClass value) {
-  switch (value) {
-    case SurfaceClass::Unknown:
-      return "unknown";
-    case SurfaceClass::Facing:
-      return "facing";
-    case SurfaceClass::Side:
-      return "side";
-    case SurfaceClass::Horizontal:
-      return "horizontal";
-    case SurfaceClass::Oblique:
-      return "oblique";
-    case SurfaceClass::ConvexEdge:
-      return "convex edge";
-    case SurfaceClass::ConcaveEdge:
-      return "concave edge";
-    case SurfaceClass::JumpEdge:
-      return "jump edge";
-  }
-  return "";
-}
 
 std::string stageTable(const Snapshot& snapshot) {
   std::vector<std::vector<std::string>> rows = {{"stage", "seconds"}};
@@ -75,9 +54,9 @@ std::string planeTable(const std::vector<const Plane*>& planes) {
       {"class", "role", "label", "points", "sigma/m", "rms/m", "normal", "offset/m"}};
   for (size_t i = 0; i < std::min(kShown, planes.size()); ++i) {
     const Plane& p = *planes[i];
-    rows.push_back({className(p.surfaceClass), p.role.empty() ? "none" : p.role, std::to_string(p.label),
-                    std::to_string(p.points), fixed(p.sigma, 4), fixed(p.rms, 4), fixed(p.normal, 3),
-                    fixed(p.offset, 3)});
+    rows.push_back({surfaceClassName(p.surfaceClass), p.role.empty() ? "none" : p.role,
+                    std::to_string(p.label), std::to_string(p.points), fixed(p.sigma, 4), fixed(p.rms, 4),
+                    fixed(p.normal, 3), fixed(p.offset, 3)});
   }
   return textTable(rows);
 }

@@ -4,33 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "io/export.h"
+#include "layers/surface_class.h"
 
 namespace stratascope {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* className(SurfaceClass c) {
-  switch (c) {
-    case SurfaceClass::Unknown:
-      return "unknown";
-    case SurfaceClass::Facing:
-      return "facing";
-    case SurfaceClass::Side:
-      return "side";
-    case SurfaceClass::Horizontal:
-      return "horizontal";
-    case SurfaceClass::Oblique:
-      return "oblique";
-    case SurfaceClass::ConvexEdge:
-      return "convex edge";
-    case SurfaceClass::ConcaveEdge:
-      return "concave edge";
-    case SurfaceClass::JumpEdge:
-      return "jump edge";
-  }
-  return "unknown";
-}
 
 const char* kindName(EdgeKind kind) {
   switch (kind) {
@@ -71,7 +50,7 @@ std::string planesJson(const Snapshot& snapshot) {
     for (const Plane& plane : snapshot.scans[scan].planes->planes) {
       Json item;
       item["label"] = plane.label;
-      item["class"] = className(plane.surfaceClass);
+      item["class"] = surfaceClassName(plane.surfaceClass);
       item["surface_class"] = static_cast<int>(plane.surfaceClass);
       if (!plane.role.empty()) item["role"] = plane.role;
       item["normal"] = vector(plane.normal);

@@ -4,41 +4,25 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/units.h"
 #include "io/export.h"
 #include "io/file_util.h"
 #include "params/param_table.h"
+#include "scan/scan_summary.h"
 
 namespace stratascope {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* latticeName(LatticeOrigin origin) {
-  switch (origin) {
-    case LatticeOrigin::Native:
-      return "native";
-    case LatticeOrigin::Recovered:
-      return "recovered";
-    case LatticeOrigin::Projected:
-      return "projected";
-  }
-  return "";
-}
-
 /// x, y, z, roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), in metres and degrees, as --pose takes
 /// them.
 Json poseNumbers(const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix3d r = pose.linear();
-  const double roll = std::atan2(r(2, 1), r(2, 2));
-  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
-  const double yaw = std::atan2(r(1, 0), r(0, 0));
+  const RollPitchYaw turn = rollPitchYaw(pose.linear());
   const Eigen::Vector3d t = pose.translation();
   Json list = Json::array();
-  for (const double v : {t.x(), t.y(), t.z(), radToDeg(roll), radToDeg(pitch), radToDeg(yaw)})
+  for (const double v : {t.x(), t.y(), t.z(), turn.rollDeg, turn.pitchDeg, turn.yawDeg})
     list.push_back(v + 0.0);
   return list;
 }
@@ -61,7 +45,7 @@ Expected<Json> inputEntry(const ScanProducts& products) {
     entry["sha256"] = sha256Hex(*bytes);
   }
   entry["format"] = scan.format;
-  entry["lattice"] = latticeName(scan.latticeOrigin);
+  entry["lattice"] = latticeOriginName(scan.latticeOrigin);
   entry["lines"] = scan.lattice->lines();
   entry["beams"] = scan.lattice->beams();
   entry["missing"] = scan.lattice->missingCount();

@@ -24,6 +24,28 @@ SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector
   return SurfaceClass::Oblique;
 }
 
+const char* surfaceClassName(SurfaceClass surfaceClass) {
+  switch (surfaceClass) {
+    case SurfaceClass::Unknown:
+      return "unknown";
+    case SurfaceClass::Facing:
+      return "facing";
+    case SurfaceClass::Side:
+      return "side";
+    case SurfaceClass::Horizontal:
+      return "horizontal";
+    case SurfaceClass::Oblique:
+      return "oblique";
+    case SurfaceClass::ConvexEdge:
+      return "convex edge";
+    case SurfaceClass::ConcaveEdge:
+      return "concave edge";
+    case SurfaceClass::JumpEdge:
+      return "jump edge";
+  }
+  return "unknown";
+}
+
 double dominantWallDirection(const PointImage& points, const NormalImage& normals) {
   const double viewing = std::atan2(points.viewing.y(), points.viewing.x());
   constexpr int kBins = 90;  // one degree each, modulo 90°

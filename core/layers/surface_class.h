@@ -21,6 +21,9 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
 SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,
                               double toleranceDeg);
 
+/// "facing", "convex edge", …: the words of planes.json and of the command line.
+const char* surfaceClassName(SurfaceClass surfaceClass);
+
 /// Dominant wall direction: yaw modulo 90° of the horizontal normals, robustly (peak of their histogram, then
 /// the mean around it), returned as the yaw nearest to the viewing direction. The viewing direction's yaw if
 /// there are no walls.

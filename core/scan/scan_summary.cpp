@@ -31,8 +31,21 @@ RollPitchYaw rollPitchYaw(const Eigen::Matrix3d& rotation) {
   constexpr double kLocked = 1 - 1e-12;
   if (std::abs(sine) > kLocked)
     return {0, sine > 0 ? 90.0 : -90.0, radToDeg(std::atan2(-rotation(0, 1), rotation(1, 1)))};
-  return {radToDeg(std::atan2(rotation(2, 1), rotation(2, 2))), radToDeg(std::asin(sine)),
+  return {radToDeg(std::atan2(rotation(2, 1), rotation(2, 2))),
+          radToDeg(std::atan2(-rotation(2, 0), std::hypot(rotation(0, 0), rotation(1, 0)))),
           radToDeg(std::atan2(rotation(1, 0), rotation(0, 0)))};
+}
+
+const char* latticeOriginName(LatticeOrigin origin) {
+  switch (origin) {
+    case LatticeOrigin::Native:
+      return "native";
+    case LatticeOrigin::Recovered:
+      return "recovered";
+    case LatticeOrigin::Projected:
+      return "projected";
+  }
+  return "";
 }
 
 }  // namespace stratascope

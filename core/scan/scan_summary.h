@@ -24,4 +24,7 @@ struct RollPitchYaw {
 };
 RollPitchYaw rollPitchYaw(const Eigen::Matrix3d& rotation);
 
+/// "native", "recovered", "projected".
+const char* latticeOriginName(LatticeOrigin origin);
+
 }  // namespace stratascope
