@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <span>
 
 namespace stratascope {
 
@@ -20,6 +20,15 @@ double outputOf(OutputFunction function, double x) {
   throw std::logic_error("outputOf: unknown function");
 }
 
+namespace {
+void outputOf(OutputFunction function, std::span<const double> x, std::span<double> y) {
+  if (function == OutputFunction::Saturation)
+    for (size_t j = 0; j < x.size(); ++j) y[j] = 0.5 * (std::abs(x[j] + 1) - std::abs(x[j] - 1));
+  else
+    for (size_t j = 0; j < x.size(); ++j) y[j] = outputOf(function, x[j]);
+}
+}  // namespace
+
 void CnnTemplate::check() const {
   require(feedback.rows() == feedback.cols() && feedback.rows() % 2 == 1,
           "CnnTemplate: A must be square and odd");
@@ -32,37 +41,36 @@ namespace {
 /// The weights of a template that are not 0, in row-major order.
 class Weights {
 public:
-  Weights(const Grid<double>& weights, int cols) : radius_(weights.rows() / 2) {
-    for (int di = -radius_; di <= radius_; ++di)
-      for (int dj = -radius_; dj <= radius_; ++dj)
-        if (const double w = weights({di + radius_, dj + radius_}); w != 0)
-          taps_.push_back({di, dj, static_cast<std::ptrdiff_t>(di) * cols + dj, w});
+  explicit Weights(const Grid<double>& weights) {
+    const int radius = weights.rows() / 2;
+    for (int di = -radius; di <= radius; ++di)
+      for (int dj = -radius; dj <= radius; ++dj)
+        if (const double w = weights({di + radius, dj + radius}); w != 0) taps_.push_back({di, dj, w});
   }
 
-  /// Σ over the neighbourhood of weight·value; neurons outside the lattice stand at `boundary`.
-  double sum(const Grid<double>& values, GridIndex at, double boundary) const {
-    double total = 0;
-    const bool inside = at.row >= radius_ && at.row + radius_ < values.rows() && at.col >= radius_ &&
-                        at.col + radius_ < values.cols();
-    if (inside) {
-      const double* centre = values.values().data() + values.offset(at);
-      for (const Tap& tap : taps_) total += tap.weight * centre[tap.offset];
-    } else {
-      for (const Tap& tap : taps_) {
-        const GridIndex from{at.row + tap.line, at.col + tap.beam};
-        total += tap.weight * (values.contains(from) ? values(from) : boundary);
+  /// Σ over the neighbourhood of weight·value for every neuron of a line; neurons outside the lattice stand at
+  /// `boundary`. Tap by tap along the line, so that the loop runs over memory in order.
+  void sumLine(const Grid<double>& values, int line, double boundary, std::span<double> sums) const {
+    std::fill(sums.begin(), sums.end(), 0.0);
+    for (const Tap& tap : taps_) {
+      const int from = line + tap.line, cols = values.cols();
+      if (from < 0 || from >= values.rows()) {
+        for (double& sum : sums) sum += tap.weight * boundary;
+        continue;
       }
+      const double* row = values.row(from).data();
+      const int first = std::clamp(-tap.beam, 0, cols), end = std::clamp(cols - tap.beam, first, cols);
+      for (int j = 0; j < first; ++j) sums[static_cast<size_t>(j)] += tap.weight * boundary;
+      for (int j = first; j < end; ++j) sums[static_cast<size_t>(j)] += tap.weight * row[j + tap.beam];
+      for (int j = end; j < cols; ++j) sums[static_cast<size_t>(j)] += tap.weight * boundary;
     }
-    return total;
   }
 
 private:
   struct Tap {
     int line, beam;
-    std::ptrdiff_t offset;
     double weight;
   };
-  int radius_;
   std::vector<Tap> taps_;
 };
 
@@ -84,27 +92,28 @@ TemplateNetwork::TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state
 void TemplateNetwork::computeDrive(const Execution& execution) {
   if (drive_.size() == state_.size()) return;
   drive_ = Grid<double>(state_.rows(), state_.cols());
-  const Weights feedForward(template_.feedForward, state_.cols());
+  const Weights feedForward(template_.feedForward);
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      for (int j = 0; j < state_.cols(); ++j)
-        drive_({i, j}) = feedForward.sum(input_, {i, j}, boundary_) + template_.bias;
+    for (int i = begin; i < end; ++i) {
+      feedForward.sumLine(input_, i, boundary_, drive_.row(i));
+      for (double& drive : drive_.row(i)) drive += template_.bias;
+    }
   });
 }
 
 void TemplateNetwork::step(double keep, double gain, const Execution& execution) {
   computeDrive(execution);
   const double outside = outputOf(template_.output, boundary_);
-  const Weights feedback(template_.feedback, state_.cols());
+  const Weights feedback(template_.feedback);
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      for (int j = 0; j < state_.cols(); ++j) output_({i, j}) = outputOf(template_.output, state_({i, j}));
+    for (int i = begin; i < end; ++i) outputOf(template_.output, state_.row(i), output_.row(i));
   });
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      for (int j = 0; j < state_.cols(); ++j)
-        next_({i, j}) =
-            keep * state_({i, j}) + gain * (feedback.sum(output_, {i, j}, outside) + drive_({i, j}));
+    for (int i = begin; i < end; ++i) {
+      const auto next = next_.row(i), state = state_.row(i), drive = drive_.row(i);
+      feedback.sumLine(output_, i, outside, next);
+      for (size_t j = 0; j < next.size(); ++j) next[j] = keep * state[j] + gain * (next[j] + drive[j]);
+    }
   });
   std::swap(state_, next_);
 }

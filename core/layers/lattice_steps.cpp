@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "layers/products.h"
+
 namespace stratascope {
 
 namespace {

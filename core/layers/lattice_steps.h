@@ -4,9 +4,10 @@
 
 #include "base/grid.h"
 #include "base/parallel_rows.h"
-#include "layers/products.h"
 
 namespace stratascope {
+
+struct PointImage;
 
 /// Angle between neighbouring beams of the lattice as the sensor sees them, by place: lines converge at the
 /// poles of the head's axis, columns at those of a spherical projection. Medians over tiles of kTile × kTile

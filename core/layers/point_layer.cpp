@@ -52,6 +52,8 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
   size_t kept = 0;
   for (float r : image.range.values()) kept += std::isnan(r) ? 0 : 1;
   image.ownBody = image.range.size() - scan.lattice->missingCount() - kept;
+  image.noise = estimateRangeNoise(image, execution);
+  image.steps = measureLatticeSteps(image, execution);
   return image;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/grid.h"
 #include "base/ids.h"
+#include "layers/lattice_steps.h"
 #include "layers/range_noise.h"
 
 namespace stratascope {
@@ -24,6 +25,8 @@ struct PointImage {
   Eigen::Vector3d
       viewing;         ///< unit, horizontal: the sensor's forward direction; classes are measured against it
   size_t ownBody = 0;  ///< returns taken out as the robot itself or by the range limits
+  RangeNoise noise;    ///< the scan's own range noise, estimated from these ranges
+  LatticeSteps steps;  ///< angles between the lattice's beams, measured from these points
 };
 
 /// Layer 2.
@@ -34,7 +37,6 @@ struct NormalImage {
   Grid<float> distance;
   /// Reach of the neighbourhood each normal came from, metres; NaN without a normal.
   Grid<float> reach;
-  RangeNoise noise;  ///< the scan's own range noise, as it was estimated
 };
 
 /// Layer 3.

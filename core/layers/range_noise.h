@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 
 #include "base/parallel_rows.h"
 
@@ -16,7 +20,14 @@ struct PointImage;
 class RangeNoise {
 public:
   /// Standard deviation of a range at distance r, metres, never below kFloor.
-  double sigmaAt(double r) const;
+  double sigmaAt(float r) const { return std::sqrt(varianceAt(r)); }
+  double varianceAt(float r) const { return variance_[static_cast<size_t>(binOf(r))]; }
+  /// Variance of a range along a beam that meets a surface at this cosine: the scanner's noise, and the
+  /// surface's own roughness, which counts for more as the surface turns away.
+  double varianceAt(float r, double cosine) const {
+    const double rough = kRoughness / std::max(0.05, cosine);
+    return varianceAt(r) + rough * rough;
+  }
   /// Over all distances; NaN if there were too few returns to tell.
   double overall() const { return overall_; }
 
@@ -26,9 +37,14 @@ public:
 private:
   friend RangeNoise estimateRangeNoise(const PointImage&, const Execution&);
   static constexpr int kBins = 24;
-  std::array<double, kBins> sigma_{};
+  std::array<double, kBins> variance_{};
   double overall_ = 0;
-  static int binOf(double r);
+  // Two bins an octave from 0.25 m, read off the number's exponent and mantissa.
+  static int binOf(float r) {
+    const auto bits = std::bit_cast<std::uint32_t>(r);
+    const int octave = static_cast<int>(bits >> 23) - 127, upper = (bits & 0x7fffffu) >= 0x3504f3u ? 1 : 0;  // √2
+    return std::clamp(2 * (octave + 2) + upper, 0, kBins - 1);
+  }
 };
 
 RangeNoise estimateRangeNoise(const PointImage& points, const Execution& execution = {});

@@ -37,23 +37,26 @@ struct RangePlaneSums {
   }
 };
 
-/// N·q = −1, and S = Σ w (N·q + 1)².
+/// N·q = −1, and S = Σ w (N·q + 1)²; the same as unit·q = −distance.
 struct RangePlane {
   Eigen::Vector3d n = Eigen::Vector3d::Zero();
+  Eigen::Vector3d unit = Eigen::Vector3d::Zero();  ///< unit normal toward the sensor
+  double fromSensor = 0;                           ///< the sensor's distance from the plane
   double residual = 0;
   bool valid = false;  ///< false: fewer than 3 points, or all in one plane through the sensor
 
-  /// Predicted minus measured range along the beam of q; infinite if the beam never meets the plane.
-  double rangeError(const Eigen::Vector3d& q) const {
+  /// Predicted minus measured range along the beam of q, at range r = |q|; infinite if the beam never meets the
+  /// plane.
+  double rangeError(const Eigen::Vector3d& q, double r) const {
     const double s = n.dot(q);
-    return s < 0 ? q.norm() * (-1.0 / s - 1.0) : std::numeric_limits<double>::infinity();
+    return s < 0 ? r * (-1.0 / s - 1.0) : std::numeric_limits<double>::infinity();
   }
+  double rangeError(const Eigen::Vector3d& q) const { return rangeError(q, q.norm()); }
   /// Distance of q from the plane, signed, positive on the sensor's side.
-  double distance(const Eigen::Vector3d& q) const { return (n.dot(q) + 1.0) / n.norm(); }
-  /// Unit normal toward the sensor.
-  Eigen::Vector3d normal() const { return n.normalized(); }
+  double distance(const Eigen::Vector3d& q) const { return unit.dot(q) + fromSensor; }
+  const Eigen::Vector3d& normal() const { return unit; }
   /// Cosine of the angle between a beam and the normal.
-  double cosIncidence(const Eigen::Vector3d& q) const { return std::abs(n.dot(q)) / (n.norm() * q.norm()); }
+  double cosIncidence(const Eigen::Vector3d& q) const { return std::abs(unit.dot(q)) / q.norm(); }
 };
 
 /// Solves Eq. (9) by LDLᵀ of the augmented matrix [A b; bᵀ w]: its last pivot is the residual, without the
@@ -78,7 +81,9 @@ inline RangePlane fitRangePlane(const RangePlaneSums& s) {
   const double ny = -l31 - l21 * nz;
   const double nx = -l30 - l10 * ny - l20 * nz;
   plane.n = {nx, ny, nz};
-  plane.valid = plane.n.allFinite();
+  plane.fromSensor = 1 / plane.n.norm();
+  plane.unit = plane.fromSensor * plane.n;
+  plane.valid = plane.unit.allFinite();
   return plane;
 }
 

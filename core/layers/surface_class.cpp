@@ -10,18 +10,21 @@
 #include "cnn/layer.h"
 #include "cnn/neighbourhood.h"
 #include "cnn/template_network.h"
-#include "layers/lattice_steps.h"
 
 namespace stratascope {
 
-SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,
-                              double toleranceDeg) {
-  const double least = std::cos(degToRad(toleranceDeg));
+namespace {
+SurfaceClass classWithin(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing, double least) {
   if (std::abs(normal.z()) >= least) return SurfaceClass::Horizontal;
   if (std::abs(normal.dot(facing)) >= least) return SurfaceClass::Facing;
   const Eigen::Vector3d side(-facing.y(), facing.x(), 0);
-  if (std::abs(normal.dot(side)) >= least) return SurfaceClass::Side;
-  return SurfaceClass::Oblique;
+  return std::abs(normal.dot(side)) >= least ? SurfaceClass::Side : SurfaceClass::Oblique;
+}
+}  // namespace
+
+SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,
+                              double toleranceDeg) {
+  return classWithin(normal, facing, std::cos(degToRad(toleranceDeg)));
 }
 
 const char* surfaceClassName(SurfaceClass surfaceClass) {
@@ -90,21 +93,26 @@ bool known(const Eigen::Vector3f& n) {
 
 class EdgeRule {
 public:
-  EdgeRule(const PointImage& points, const NormalImage& normals, const LatticeSteps& steps,
-           const ClassParams& params)
+  EdgeRule(const PointImage& points, const NormalImage& normals, const ClassParams& params,
+           const Execution& execution)
       : points_(points),
         normals_(normals),
-        steps_(steps),
-        cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))) {}
+        cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))),
+        spread_(feedForward<float>(
+            points.range.rows(), points.range.cols(), [this](GridIndex at) { return spreadAt(at); }, execution)) {}
 
   /// An edge class, or Unknown if the neuron is on no edge.
   SurfaceClass operator()(GridIndex at) const {
     if (!valid(at)) return SurfaceClass::Unknown;
     SurfaceClass crease = SurfaceClass::Unknown;
+    const LatticeSteps::Step step = points_.steps.at(at);
+    const float diagonal = std::sqrt(step.line * step.line + step.beam * step.beam);
+    const auto noise = static_cast<float>(6 * points_.noise.sigmaAt(points_.range(at)));
     for (const GridIndex& d : kLatticeDirections) {
       const GridIndex to{at.row + d.row, at.col + d.col};
       if (!valid(to)) continue;
-      if (isJump(at, to, d)) return SurfaceClass::JumpEdge;
+      const float angle = d.row == 0 ? step.beam : d.col == 0 ? step.line : diagonal;
+      if (isJump(at, to, angle, noise)) return SurfaceClass::JumpEdge;
       const SurfaceClass c = creaseBetween(at, to);
       if (c != SurfaceClass::Unknown) crease = c;
     }
@@ -126,24 +134,19 @@ public:
 private:
   bool valid(GridIndex i) const { return points_.range.contains(i) && points_.range(i) == points_.range(i); }
 
-  // Length of a lattice step on the surface at a neuron; without a normal, as if it were seen at 75°.
-  double stepLength(GridIndex at, GridIndex direction) const {
-    const LatticeSteps::Step step = steps_.at(at);
-    const double angle = std::hypot(direction.row * double(step.line), direction.col * double(step.beam));
-    double cosine = 0.26;
-    const Eigen::Vector3f& n = normals_.normals(at);
-    if (known(n)) {
-      const Eigen::Vector3f q = points_.points(at) - points_.sensor.cast<float>();
-      cosine = std::max(0.05, std::abs(double(n.dot(q))) / points_.range(at));
-    }
-    return points_.range(at) * angle / cosine;
+  // Length on the surface that a neuron sees under one radian; without a normal, as if it were seen at 75°.
+  float spreadAt(GridIndex at) const {
+    if (!valid(at)) return 0;
+    float cosine = 0.26f;
+    if (const Eigen::Vector3f& n = normals_.normals(at); known(n))
+      cosine = std::max(0.05f, normals_.distance(at) / points_.range(at));
+    return points_.range(at) / cosine;
   }
 
   // The depth breaks off where two neighbours are farther apart than both surfaces together account for.
-  bool isJump(GridIndex a, GridIndex b, GridIndex direction) const {
-    const double distance = (points_.points(a) - points_.points(b)).norm();
-    const double noise = 6 * normals_.noise.sigmaAt(points_.range(a));
-    return distance > 2 * (stepLength(a, direction) + stepLength(b, direction)) + noise;
+  bool isJump(GridIndex a, GridIndex b, float angle, float noise) const {
+    const float allowed = 2 * angle * (spread_(a) + spread_(b)) + noise;
+    return (points_.points(a) - points_.points(b)).squaredNorm() > allowed * allowed;
   }
 
   SurfaceClass creaseBetween(GridIndex a, GridIndex b) const {
@@ -155,8 +158,8 @@ private:
 
   const PointImage& points_;
   const NormalImage& normals_;
-  const LatticeSteps& steps_;
   float cosParallel_;
+  Grid<float> spread_;
 };
 
 // One majority network a surface class, run on the image of that class; the class whose network answers most
@@ -193,15 +196,15 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
   image.wallDirection = params.alignWalls ? dominantWallDirection(points, normals)
                                           : std::atan2(points.viewing.y(), points.viewing.x());
   const Eigen::Vector3d facing(std::cos(image.wallDirection), std::sin(image.wallDirection), 0);
-  const LatticeSteps steps = measureLatticeSteps(points, execution);
-  const EdgeRule edge(points, normals, steps, params);
+  const double least = std::cos(degToRad(params.classToleranceDeg));
+  const EdgeRule edge(points, normals, params, execution);
   image.classes = feedForward<SurfaceClass>(
       points.range.rows(), points.range.cols(),
       [&](GridIndex at) {
         const SurfaceClass onEdge = edge(at);
         if (onEdge != SurfaceClass::Unknown) return onEdge;
         const Eigen::Vector3f& n = normals.normals(at);
-        return known(n) ? classOfDirection(n.cast<double>(), facing, params.classToleranceDeg)
+        return known(n) ? classWithin(n.cast<double>(), facing, least)
                         : SurfaceClass::Unknown;
       },
       execution);

@@ -6,8 +6,7 @@
 
 namespace stratascope {
 
-void WindowSums::build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine,
-                       const Execution& execution) {
+void WindowSums::build(const PointImage& image, int firstLine, int endLine, const Execution& execution) {
   first_ = firstLine, end_ = endLine;
   const int beams = image.points.cols(), lines = endLine - firstLine;
   stride_ = static_cast<size_t>(beams) + 1;
@@ -24,10 +23,8 @@ void WindowSums::build(const PointImage& image, const RangeNoise& noise, int fir
         const double r = image.range(at);
         if (r == r) {
           const Eigen::Vector3d q = image.points(at).cast<double>() - image.sensor;
-          const double sigma = noise.sigmaAt(r) / r;
-          const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(),
-                               q.y() * q.z(), q.z() * q.z(), q.x(),         q.y(),
-                               q.z(),         1.0,           sigma * sigma};
+          const Entry terms = {q.x() * q.x(), q.x() * q.y(), q.x() * q.z(), q.y() * q.y(), q.y() * q.z(),
+                               q.z() * q.z(), q.x(),         q.y(),         q.z(),         1.0};
           for (size_t t = 0; t < kTerms; ++t) line[t] += terms[t];
         }
         out[j + 1] = line;
@@ -48,19 +45,17 @@ void WindowSums::build(const PointImage& image, const RangeNoise& noise, int fir
       kColumns);
 }
 
-WindowSums::Sums WindowSums::over(const LatticeWindow& window) const {
-  Sums sums;
-  if (window.empty()) return sums;
+RangePlaneSums WindowSums::over(const LatticeWindow& window) const {
+  RangePlaneSums f;
+  if (window.empty()) return f;
   const Entry &a = at(window.top, window.left), &b = at(window.top, window.right + 1),
               &c = at(window.bottom + 1, window.left), &d = at(window.bottom + 1, window.right + 1);
   Entry s;
   for (size_t t = 0; t < kTerms; ++t) s[t] = (d[t] - b[t]) - (c[t] - a[t]);
-  RangePlaneSums& f = sums.fit;
   f.xx = s[0], f.xy = s[1], f.xz = s[2], f.yy = s[3], f.yz = s[4], f.zz = s[5], f.x = s[6], f.y = s[7],
   f.z = s[8];
   f.w = f.n = s[9];
-  sums.expected = s[10];
-  return sums;
+  return f;
 }
 
 }  // namespace stratascope

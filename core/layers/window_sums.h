@@ -8,7 +8,6 @@
 
 #include "base/parallel_rows.h"
 #include "layers/products.h"
-#include "layers/range_noise.h"
 #include "layers/range_plane_fit.h"
 
 namespace stratascope {
@@ -24,16 +23,10 @@ struct LatticeWindow {
 /// time. Unweighted sums of q (not of u or r²q) keep near and far neurons within the precision of double.
 class WindowSums {
 public:
-  struct Sums {
-    RangePlaneSums fit;   ///< weight 1
-    double expected = 0;  ///< Σ σ²/r²: what the residual would be from range noise alone
-  };
-
   /// Lines [firstLine, endLine) of the image. Reuses its memory.
-  void build(const PointImage& image, const RangeNoise& noise, int firstLine, int endLine,
-             const Execution& execution = {});
+  void build(const PointImage& image, int firstLine, int endLine, const Execution& execution = {});
   /// Of a window that lies within those lines.
-  Sums over(const LatticeWindow& window) const;
+  RangePlaneSums over(const LatticeWindow& window) const;
   struct Means {
     Eigen::Vector3d sum;
     double n;
@@ -46,9 +39,10 @@ public:
   }
   int firstLine() const { return first_; }
   int endLine() const { return end_; }
+  int beams() const { return static_cast<int>(stride_) - 1; }
 
 private:
-  static constexpr int kTerms = 11;
+  static constexpr int kTerms = 10;
   using Entry = std::array<double, kTerms>;
   const Entry& at(int line, int beam) const {
     return table_[static_cast<size_t>(line - first_) * stride_ + static_cast<size_t>(beam)];

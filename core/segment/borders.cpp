@@ -17,11 +17,11 @@ class Creases {
 public:
   enum class Kind : signed char { None, Convex, Concave };
 
-  Creases(const Neurons& neurons, const PlaneRegions& regions) {
+  Creases(const Neurons& neurons, const PlaneRegions& regions, const Execution& execution) {
     // Neurons some steps inside one region, with the other region near: does the other plane lie before or
     // behind them? A crease gives both sides the same answer; a jump in depth or a parallel plane does not.
     // Where the border itself is still far off its crease, the answer is clear only farther inside.
-    for (const int inside : {7, 14, 28}) ask(neurons, regions, inside);
+    for (const int inside : {7, 14, 28}) ask(neurons, regions, inside, execution);
   }
 
   Kind between(std::int32_t a, std::int32_t b) const {
@@ -30,31 +30,47 @@ public:
   }
 
 private:
-  void ask(const Neurons& neurons, const PlaneRegions& regions, int inside) {
+  using Pair = std::pair<std::int32_t, std::int32_t>;  // own, other
+  struct Side {
+    double sum = 0, count = 0;
+  };
+  using Sides = std::map<Pair, Side>;
+
+  void ask(const Neurons& neurons, const PlaneRegions& regions, int inside, const Execution& execution) {
     const Grid<std::int32_t>& region = regions.region;
-    struct Side {
-      double sum = 0, count = 0;
-    };
-    std::map<std::pair<std::int32_t, std::int32_t>, Side> sides;  // (own, other)
-    std::pair<std::int32_t, std::int32_t> lastPair{kNoRegion, kNoRegion};
-    Side* last = nullptr;
-    for (int i = 0; i < region.rows(); i += inside / 7)  // farther inside there are more to ask
-      for (int j = 0; j < region.cols(); ++j) {
-        const std::int32_t own = region({i, j});
-        if (own == kNoRegion) continue;
-        for (const GridIndex to : {GridIndex{i - inside, j}, GridIndex{i + inside, j},
-                                   GridIndex{i, j - inside}, GridIndex{i, j + inside}}) {
-          if (!region.contains(to)) continue;
-          const std::int32_t other = region(to);
-          if (other == kNoRegion || other == own) continue;
-          const Eigen::Vector3d q = neurons.q({i, j});
-          const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q) -
-                               regions.planes[static_cast<size_t>(own)].rangeError(q);
-          if (const std::pair pair{own, other}; pair != lastPair) lastPair = pair, last = &sides[pair];
-          Side& side = *last;
-          side.sum += std::clamp(ahead, -1.0, 1.0);
-          side.count += 1;
-        }
+    constexpr int kRows = 64;  // of one part; parts are added in order
+    std::vector<Sides> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
+    parallelRows(
+        region.rows(), execution,
+        [&](int begin, int end) {
+          Sides& sides = parts[static_cast<size_t>(begin / kRows)];
+          Pair lastPair{kNoRegion, kNoRegion};
+          Side* last = nullptr;
+          for (int i = begin; i < end; i += inside / 7)  // farther inside there are more to ask
+            for (int j = 0; j < region.cols(); ++j) {
+              const std::int32_t own = region({i, j});
+              if (own == kNoRegion) continue;
+              for (const GridIndex to : {GridIndex{i - inside, j}, GridIndex{i + inside, j},
+                                         GridIndex{i, j - inside}, GridIndex{i, j + inside}}) {
+                if (!region.contains(to)) continue;
+                const std::int32_t other = region(to);
+                if (other == kNoRegion || other == own) continue;
+                const Eigen::Vector3d q = neurons.q({i, j});
+                const double r = neurons.points.range({i, j});
+                const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q, r) -
+                                     regions.planes[static_cast<size_t>(own)].rangeError(q, r);
+                if (const Pair pair{own, other}; pair != lastPair) lastPair = pair, last = &sides[pair];
+                last->sum += std::clamp(ahead, -1.0, 1.0);
+                last->count += 1;
+              }
+            }
+        },
+        kRows);
+    Sides sides;
+    for (const Sides& part : parts)
+      for (const auto& [pair, side] : part) {
+        Side& total = sides[pair];
+        total.sum += side.sum, total.count += side.count;
       }
     constexpr double kFewest = 6;
     for (const auto& [pair, side] : sides) {
@@ -66,7 +82,7 @@ private:
     }
   }
 
-  std::map<std::pair<std::int32_t, std::int32_t>, Kind> kinds_;
+  std::map<Pair, Kind> kinds_;
 };
 
 class BorderRule {
@@ -126,11 +142,10 @@ private:
   static constexpr double kWrongSide = 1e3;
 
   void weigh(GridIndex at, Choice& choice) const {
-    const RangePlane& plane = planes_[static_cast<size_t>(choice.label)];
-    const double error = neurons_.error(at, plane);
-    choice.ahead = plane.rangeError(neurons_.q(at));
-    choice.cost = error <= kFarSigmas
-                      ? 0.5 * (error * error + neurons_.tilt(at, plane)) - kVote * choice.votes
+    const Neurons::Misfit misfit = neurons_.misfit(at, planes_[static_cast<size_t>(choice.label)]);
+    choice.ahead = misfit.along;
+    choice.cost = misfit.error <= kFarSigmas
+                      ? 0.5 * (misfit.error * misfit.error + misfit.tilt) - kVote * choice.votes
                       : kInfinite;
   }
 
@@ -140,36 +155,60 @@ private:
   const Creases& creases_;
 };
 
+// Neurons that have a neighbour of another region, or must leave their own.
+std::vector<GridIndex> borderOf(const Neurons& neurons, const std::vector<char>& alive,
+                                const Grid<std::int32_t>& region, const Execution& execution) {
+  constexpr int kRows = 32;
+  std::vector<std::vector<GridIndex>> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
+  parallelRows(
+      region.rows(), execution,
+      [&](int begin, int end) {
+        std::vector<GridIndex>& part = parts[static_cast<size_t>(begin / kRows)];
+        for (int i = begin; i < end; ++i)
+          for (int j = 0; j < region.cols(); ++j) {
+            const std::int32_t own = region({i, j});
+            bool border = own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}));
+            for (size_t k = 0; k < 8 && !border; ++k) {
+              const GridIndex to{i + kLatticeDirections[k].row, j + kLatticeDirections[k].col};
+              border = region.contains(to) && region(to) != own;
+            }
+            if (border) part.push_back({i, j});
+          }
+      },
+      kRows);
+  std::vector<GridIndex> border;
+  for (const auto& part : parts) border.insert(border.end(), part.begin(), part.end());
+  return border;
+}
+
 }  // namespace
 
-void settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
-                   PlaneRegions& regions, const Execution& execution) {
-  const Creases creases(neurons, regions);
+size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
+                     PlaneRegions& regions, const Execution& execution) {
+  const Creases creases(neurons, regions, execution);
   const BorderRule rule(neurons, regions.planes, alive, creases);
   Grid<std::int32_t>& region = regions.region;
   // A neuron reads its 3 × 3 neighbours only, so it can change only after one of them did: the list of such
   // neurons is all a synchronous step has to visit.
-  std::vector<GridIndex> active, next;
-  for (int i = 0; i < region.rows(); ++i)
-    for (int j = 0; j < region.cols(); ++j) {
-      const std::int32_t own = region({i, j});
-      bool border = own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}));
-      for (size_t k = 0; k < 8 && !border; ++k) {
-        const GridIndex to{i + kLatticeDirections[k].row, j + kLatticeDirections[k].col};
-        border = region.contains(to) && region(to) != own;
-      }
-      if (border) active.push_back({i, j});
-    }
+  std::vector<GridIndex> active = borderOf(neurons, alive, region, execution), next;
   Grid<int> listed(region.rows(), region.cols(), -1);  // the step a neuron was last put on the list
-  std::vector<std::pair<GridIndex, std::int32_t>> changes;
+  std::vector<std::int32_t> wanted;
+  size_t changes = 0;
   for (int step = 0; step < mostSteps && !active.empty(); ++step) {
-    throwIfStopped(execution);
-    changes.clear();
-    for (const GridIndex& at : active)
-      if (const std::int32_t to = rule(at, region); to != region(at)) changes.emplace_back(at, to);
+    wanted.resize(active.size());
+    constexpr int kChunk = 1024;
+    parallelRows(
+        static_cast<int>(active.size()), execution,
+        [&](int begin, int end) {
+          for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k) wanted[k] = rule(active[k], region);
+        },
+        kChunk);
     next.clear();
-    for (const auto& [at, to] : changes) {
-      region(at) = to;
+    for (size_t k = 0; k < active.size(); ++k) {
+      const GridIndex at = active[k];
+      if (wanted[k] == region(at)) continue;
+      region(at) = wanted[k];
+      ++changes;
       for (int di = -1; di <= 1; ++di)
         for (int dj = -1; dj <= 1; ++dj) {
           const GridIndex near{at.row + di, at.col + dj};
@@ -180,6 +219,7 @@ void settleBorders(const Neurons& neurons, const std::vector<char>& alive, int m
     }
     std::swap(active, next);
   }
+  return changes;
 }
 
 }  // namespace stratascope

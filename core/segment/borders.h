@@ -14,8 +14,9 @@ namespace stratascope {
 /// around them: a synchronous rule of the network, at most `mostSteps` steps. Where two planes form a crease
 /// the beam itself tells the side: on a convex edge the surface is the farther of the two planes along the
 /// beam, on a concave one the nearer; no noise enters that. Elsewhere range error, normal and agreeing
-/// neighbours decide. Regions not alive give their neurons away. Does not refit the planes.
-void settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
-                   PlaneRegions& regions, const Execution& execution);
+/// neighbours decide. Regions not alive give their neurons away. Does not refit the planes. Returns
+/// how many neurons changed.
+size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
+                     PlaneRegions& regions, const Execution& execution);
 
 }  // namespace stratascope

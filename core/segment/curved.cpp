@@ -77,11 +77,8 @@ struct Frame {
 
 std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& regions) {
   const Grid<std::int32_t>& region = regions.region;
-  std::vector<std::vector<GridIndex>> members(regions.planes.size());
-  for (int i = 0; i < region.rows(); ++i)
-    for (int j = 0; j < region.cols(); ++j)
-      if (region({i, j}) != kNoRegion) members[static_cast<size_t>(region({i, j}))].push_back({i, j});
-
+  constexpr size_t kEnough = 3000;  // neurons to tell a curve by
+  const std::vector<std::vector<GridIndex>> members = sampleOf(regions, kEnough);
   constexpr double kSignificant = 40;     // χ² that three more coefficients must save
   constexpr double kNoticeable = 0.12;    // χ² a neuron, too: some strays at a border make no curve
   constexpr double kNoMatter = 0.05;      // χ² a neuron by which the bend around may suit the region worse
@@ -105,12 +102,14 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
       visited(at) = static_cast<std::int32_t>(l);
     }
     const Verdict inside = judge(own);
+    const bool sampled = members[l].size() < regions.size[l];
     if (inside.known && inside.radius < kLargestRadius &&
         inside.planeError - inside.quadraticError > std::max(kSignificant, kNoticeable * own.n) &&
         inside.quadraticError < kFitsWell * own.n) {
       curved[l] = 1;
       continue;
     }
+    if (sampled) continue;  // large, so not narrow
     // Narrow regions bend too little to tell; together with their surroundings they show it.
     Quadratic wide = own;
     std::vector<GridIndex> front = members[l], next;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "layers/lattice_steps.h"
 #include "layers/surface_class.h"
 #include "segment/plane_fit.h"
 #include "segment/plane_regions.h"
@@ -24,7 +23,6 @@ struct Members {
 std::vector<Members> collect(const PointImage& image, const PlaneRegions& regions) {
   std::vector<Members> members(regions.planes.size());
   for (size_t l = 0; l < members.size(); ++l) members[l].points.reserve(regions.size[l]);
-  const LatticeSteps steps = measureLatticeSteps(image);
   for (size_t o = 0; o < regions.region.size(); ++o) {
     const std::int32_t l = regions.region[o];
     if (l == kNoRegion) continue;
@@ -35,7 +33,7 @@ std::vector<Members> collect(const PointImage& image, const PlaneRegions& region
     m.moments.add(p);
     // The solid angle of one neuron, laid on the plane it sees.
     const double r = image.range[o];
-    const LatticeSteps::Step step = steps.at(image.range.index(o));
+    const LatticeSteps::Step step = image.steps.at(image.range.index(o));
     m.area += r * r * step.line * step.beam /
               std::max(0.05, regions.planes[static_cast<size_t>(l)].cosIncidence(p - image.sensor));
   }

@@ -11,6 +11,8 @@
 
 namespace stratascope {
 
+inline constexpr std::int32_t kNoRegion = -1;
+
 /// A piece of a plane. Both sums are weighted by r²/σ², so errors are in units of the noise.
 struct PatchSums {
   RangePlaneSums measured;  ///< of its neurons' points

@@ -9,10 +9,9 @@
 #include "layers/products.h"
 #include "layers/range_plane_fit.h"
 #include "params/pipeline_params.h"
+#include "segment/patch_graph.h"
 
 namespace stratascope {
-
-inline constexpr std::int32_t kNoRegion = -1;
 
 /// Regions of neurons that lie in one plane.
 struct PlaneRegions {
@@ -33,5 +32,8 @@ struct PlaneRegions {
 /// 4. regions their neighbours explain as well, curved regions and regions below minPlanePoints are given up
 PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
                               const Execution& execution = {});
+
+/// At most about `most` neurons of each region, evenly taken in lattice order.
+std::vector<std::vector<GridIndex>> sampleOf(const PlaneRegions& regions, std::size_t most);
 
 }  // namespace stratascope

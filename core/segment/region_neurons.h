@@ -30,36 +30,21 @@ struct Neurons {
   const PointImage& points;
   const NormalImage& normals;
   const PlaneParams& params;
-  Grid<double> rangeVariance;  ///< of the scanner alone, at each neuron's range
 
   bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
   bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
   Eigen::Vector3d q(GridIndex i) const { return points.points(i).cast<double>() - points.sensor; }
-  /// Variance of the range along a beam that meets a surface at this cosine: the scanner's noise and the
-  /// surface's own roughness.
-  double variance(GridIndex i, double cosine) const {
-    const double rough = RangeNoise::kRoughness / std::max(0.05, cosine);
-    return rangeVariance(i) + rough * rough;
-  }
-  double cosine(GridIndex i) const {
-    return hasNormal(i) ? std::abs(double(normals.normals(i).cast<double>().dot(q(i)))) / points.range(i)
-                        : 0.5;
-  }
-  double weight(GridIndex i) const {
-    return double(points.range(i)) * points.range(i) / variance(i, cosine(i));
-  }
-  /// What unevenness may cost at this neuron, in units of the noise.
-  double slack(GridIndex i) const {
-    const double c = std::max(0.05, cosine(i)), uneven = kUnevenShare * params.planeDistance / c;
-    return uneven * uneven / variance(i, c);
-  }
+  double variance(GridIndex i, double cosine) const { return points.noise.varianceAt(points.range(i), cosine); }
+  double cosine(GridIndex i) const { return hasNormal(i) ? double(normals.distance(i)) / points.range(i) : 0.5; }
   /// The neuron's own point, and four on its local plane around it: foot ± u, foot ± v with u, v a lever long
   /// and u ⊥ v ⊥ n, so that uuᵀ + vvᵀ = lever²·(1 − nnᵀ) and no direction in the plane need be chosen.
   void addTo(PatchSums& sums, GridIndex i) const {
     const Eigen::Vector3d at = q(i), n = normals.normals(i).cast<double>();
-    const double w = weight(i), spread = 0.5 * w * kLever * kLever;
+    const double r = points.range(i), c = std::max(0.05, cosine(i)), noise = variance(i, c);
+    const double w = r * r / noise, spread = 0.5 * w * kLever * kLever;
     sums.measured.add(at, w);
-    sums.slack += slack(i);
+    const double uneven = kUnevenShare * params.planeDistance / c;  // what unevenness may cost, in units of the noise
+    sums.slack += uneven * uneven / noise;
     sums.normal += n;
     const Eigen::Vector3d foot = at - (n.dot(at) + normals.distance(i)) * n;
     RangePlaneSums& local = sums.local;
@@ -70,27 +55,26 @@ struct Neurons {
     local.zz += spread * (1 - n.z() * n.z());
     local.n += 3;
   }
-  /// Squared disagreement of the neuron's normal with a plane in the errors normals have; 0 without a normal.
-  double tilt(GridIndex i, const RangePlane& plane) const {
-    if (!hasNormal(i)) return 0;
-    const double sine = normals.normals(i).cast<double>().cross(plane.normal()).norm();
-    const double cosine = std::max(0.05, plane.cosIncidence(q(i)));
-    const double spread =
-        std::max(kTiltShare * std::sqrt(variance(i, cosine)), kUnevenNeuron * params.planeDistance);
-    const double tilted = kLever * sine / spread;
-    return tilted * tilted;
-  }
-  /// Range error against a plane in standard deviations; infinite where it exceeds both what noise explains
-  /// and the plane distance.
-  double error(GridIndex i, const RangePlane& plane) const {
+  /// Against a plane: range error in standard deviations (infinite where it exceeds both what noise explains
+  /// and the plane distance), the same with its sign in metres, and the squared disagreement of the neuron's
+  /// normal in the errors normals have (0 without a normal).
+  struct Misfit {
+    double error, along, tilt;
+  };
+  Misfit misfit(GridIndex i, const RangePlane& plane) const {
     const Eigen::Vector3d at = q(i);
-    const double along = plane.rangeError(at);
-    const double cosine = std::max(0.05, plane.cosIncidence(at)),
-                 uneven = kUnevenNeuron * params.planeDistance / cosine;
-    const double noise = std::sqrt(variance(i, cosine));
-    if (std::abs(plane.distance(at)) > std::max(params.planeDistance, kFarSigmas * noise * cosine))
-      return std::numeric_limits<double>::infinity();
-    return std::abs(along) / std::sqrt(noise * noise + uneven * uneven);
+    const double r = points.range(i), across = plane.unit.dot(at);
+    Misfit m{std::numeric_limits<double>::infinity(), plane.rangeError(at, r), 0};
+    const double c = std::max(0.05, std::abs(across) / r), noise = variance(i, c);
+    const double unevenNeuron = kUnevenNeuron * params.planeDistance, uneven = unevenNeuron / c;
+    const double off = across + plane.fromSensor, farthest = kFarSigmas * kFarSigmas * noise * c * c;
+    if (off * off > std::max(params.planeDistance * params.planeDistance, farthest)) return m;
+    m.error = std::abs(m.along) / std::sqrt(noise + uneven * uneven);
+    if (!hasNormal(i)) return m;
+    const double cosine = normals.normals(i).cast<double>().dot(plane.unit);
+    const double sine2 = cosine > 0 ? std::max(0.0, 1 - cosine * cosine) : 1.0;
+    m.tilt = kLever * kLever * sine2 / std::max(kTiltShare * kTiltShare * noise, unevenNeuron * unevenNeuron);
+    return m;
   }
 };
 

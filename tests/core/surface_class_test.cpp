@@ -194,7 +194,6 @@ TEST(SurfaceClass, CleaningRemovesStraysAndLeavesBordersEdgesAndGaps) {
   const SimulatedScan scan = simulateScan(scene, {.noise = NoiseModel::None});
   const PointImage points = computePoints(scan.scan, {});
   NormalImage normals;
-  normals.noise = estimateRangeNoise(points);
   normals.normals = Grid<Vector3f>(60, 90);
   normals.distance = normals.reach = Grid<float>(60, 90, 1);
   const auto turned = [](double deg) {

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment/patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/units.h"
+
+namespace stratascope {
+
+namespace {
+
+// Of the middle of the lattice, so that blocks are about square in space.
+int linesPerBlock(const PointImage& points, int blockBeams) {
+  const LatticeSteps::Step step = points.steps.at({points.range.rows() / 2, points.range.cols() / 2});
+  return std::clamp(static_cast<int>(std::lround(blockBeams * step.beam / std::max(step.line, 1e-6f))), 2, 10);
+}
+
+}  // namespace
+
+Patches::Patches(const Neurons& neurons, const Execution& execution)
+    : neurons_(neurons),
+      blockLines_(linesPerBlock(neurons.points, kBlockBeams)),
+      cosAgree_(static_cast<float>(std::cos(degToRad(std::min(10.0, neurons.params.angleToleranceDeg))))) {
+  const int lines = neurons.points.range.rows(), beams = neurons.points.range.cols();
+  const int rows = (lines + blockLines_ - 1) / blockLines_, cols = (beams + kBlockBeams - 1) / kBlockBeams;
+  patch_ = Grid<std::int32_t>(lines, beams, kNoRegion);
+  ofBlock_ = Grid<PatchSums>(rows, cols);
+  // Rows of blocks label their patches from 0, then all are numbered through.
+  std::vector<std::vector<PatchSums>> ofRow(static_cast<size_t>(rows));
+  parallelRows(
+      rows, execution,
+      [&](int begin, int end) {
+        std::vector<GridIndex> stack;
+        for (int r = begin; r < end; ++r)
+          for (int c = 0; c < cols; ++c) {
+            std::vector<PatchSums>& sums = ofRow[static_cast<size_t>(r)];
+            const size_t before = sums.size();
+            labelBlock(block(r, c), sums, stack);
+            for (size_t k = before; k < sums.size(); ++k) ofBlock_({r, c}) += sums[k];
+          }
+      },
+      1);
+  std::vector<std::int32_t> firstOfRow(1, 0);
+  for (const auto& sums : ofRow) {
+    firstOfRow.push_back(firstOfRow.back() + static_cast<std::int32_t>(sums.size()));
+    sums_.insert(sums_.end(), sums.begin(), sums.end());
+  }
+  parallelRows(lines, execution, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      for (std::int32_t& p : patch_.row(i))
+        if (p != kNoRegion) p += firstOfRow[static_cast<size_t>(i / blockLines_)];
+  });
+}
+
+Patches::Block Patches::block(int row, int col) const {
+  return {row * blockLines_, std::min(patch_.rows(), (row + 1) * blockLines_), col * kBlockBeams,
+          std::min(patch_.cols(), (col + 1) * kBlockBeams)};
+}
+
+void Patches::labelBlock(const Block& block, std::vector<PatchSums>& sums, std::vector<GridIndex>& stack) {
+  for (int i = block.line; i < block.endLine; ++i)
+    for (int j = block.beam; j < block.endBeam; ++j) {
+      if (patch_({i, j}) != kNoRegion || !neurons_.hasNormal({i, j})) continue;
+      const auto index = static_cast<std::int32_t>(sums.size());
+      PatchSums& patch = sums.emplace_back();
+      stack.assign(1, {i, j});
+      patch_({i, j}) = index;
+      while (!stack.empty()) {
+        const GridIndex at = stack.back();
+        stack.pop_back();
+        neurons_.addTo(patch, at);
+        for (const GridIndex d : {GridIndex{0, 1}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{-1, 0}}) {
+          const GridIndex to{at.row + d.row, at.col + d.col};
+          if (to.row < block.line || to.row >= block.endLine || to.col < block.beam || to.col >= block.endBeam) continue;
+          if (patch_(to) != kNoRegion || !neurons_.hasNormal(to) || !agree(at, to)) continue;
+          patch_(to) = index;
+          stack.push_back(to);
+        }
+      }
+    }
+}
+
+bool Patches::agree(GridIndex a, GridIndex b) const {
+  const Eigen::Vector3f &n1 = neurons_.normals.normals(a), &n2 = neurons_.normals.normals(b);
+  if (n1.dot(n2) < cosAgree_) return false;
+  const Eigen::Vector3f difference = neurons_.points.points(b) - neurons_.points.points(a);
+  const double off = std::max(std::abs(n1.dot(difference)), std::abs(n2.dot(difference)));
+  const double cosine = neurons_.cosine(a);
+  return off * off <= kFarSigmas * kFarSigmas * 2 * neurons_.variance(a, cosine) * cosine * cosine;
+}
+
+Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_t regions,
+                                    const Execution& execution) const {
+  // Partial sums of a fixed number of rows each, added in order: the same bits for any number of threads.
+  constexpr int kParts = 16;
+  const int rowsOfPart = std::max(1, (ofBlock_.rows() + kParts - 1) / kParts);
+  std::vector<RegionSums> parts(static_cast<size_t>((ofBlock_.rows() + rowsOfPart - 1) / rowsOfPart));
+  parallelRows(
+      ofBlock_.rows(), execution,
+      [&](int begin, int end) {
+        RegionSums& part = parts[static_cast<size_t>(begin / rowsOfPart)];
+        part.sums.resize(regions);
+        part.size.resize(regions);
+        for (int r = begin; r < end; ++r)
+          for (int c = 0; c < ofBlock_.cols(); ++c) {
+            const Block b = block(r, c);
+            const std::int32_t first = region({b.line, b.beam});
+            bool whole = true;
+            for (int i = b.line; i < b.endLine && whole; ++i)
+              for (int j = b.beam; j < b.endBeam; ++j) whole = whole && region({i, j}) == first;
+            if (whole) {
+              if (first == kNoRegion) continue;
+              part.sums[static_cast<size_t>(first)] += ofBlock_({r, c});
+              part.size[static_cast<size_t>(first)] += static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
+              continue;
+            }
+            for (int i = b.line; i < b.endLine; ++i)
+              for (int j = b.beam; j < b.endBeam; ++j) {
+                const std::int32_t l = region({i, j});
+                if (l == kNoRegion) continue;
+                ++part.size[static_cast<size_t>(l)];
+                if (neurons_.hasNormal({i, j})) neurons_.addTo(part.sums[static_cast<size_t>(l)], {i, j});
+              }
+          }
+      },
+      rowsOfPart);
+  RegionSums total{std::vector<PatchSums>(regions), std::vector<std::size_t>(regions, 0)};
+  for (const RegionSums& part : parts)
+    for (size_t l = 0; l < regions; ++l) total.sums[l] += part.sums[l], total.size[l] += part.size[l];
+  return total;
+}
+
+std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int32_t>& labels, int farthest,
+                                                            bool diagonally, const Execution& execution) {
+  using Pair = std::pair<std::int32_t, std::int32_t>;
+  std::vector<GridIndex> offsets;
+  for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, 0}, {0, reach}});
+  if (diagonally)
+    for (int di = 1; di <= farthest; ++di)
+      for (int dj = 1; dj <= farthest; ++dj) offsets.insert(offsets.end(), {{di, dj}, {di, -dj}});
+  constexpr int kRows = 32;
+  std::vector<std::vector<Pair>> parts(static_cast<size_t>((labels.rows() + kRows - 1) / kRows));
+  parallelRows(
+      labels.rows(), execution,
+      [&](int begin, int end) {
+        std::vector<Pair>& pairs = parts[static_cast<size_t>(begin / kRows)];
+        // Along a border the same pair comes again and again: the last one of each offset and of each beam is
+        // enough to drop nearly all.
+        std::vector<Pair> last(offsets.size() * static_cast<size_t>(labels.cols()), Pair{kNoRegion, kNoRegion});
+        for (int i = begin; i < end; ++i)
+          for (int j = 0; j < labels.cols(); ++j) {
+            const std::int32_t a = labels({i, j});
+            if (a == kNoRegion) continue;
+            // Inside a region nothing is near.
+            if (diagonally && i + farthest < labels.rows() && j >= farthest && j + farthest < labels.cols() &&
+                labels({i, j + farthest}) == a && labels({i + farthest, j}) == a &&
+                labels({i + farthest, j + farthest}) == a && labels({i + farthest, j - farthest}) == a)
+              continue;
+            for (size_t k = 0; k < offsets.size(); ++k) {
+              const GridIndex to{i + offsets[k].row, j + offsets[k].col};
+              if (!labels.contains(to)) continue;
+              const std::int32_t b = labels(to);
+              if (b == kNoRegion || b == a) continue;
+              const Pair pair = std::minmax(a, b);
+              Pair& before = last[k * static_cast<size_t>(labels.cols()) + static_cast<size_t>(j)];
+              if (before == pair || (!pairs.empty() && pairs.back() == pair)) continue;
+              before = pair;
+              pairs.push_back(pair);
+            }
+          }
+        std::sort(pairs.begin(), pairs.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+      },
+      kRows);
+  std::vector<Pair> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace stratascope

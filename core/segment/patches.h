@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/grid.h"
+#include "base/parallel_rows.h"
+#include "segment/patch_graph.h"
+#include "segment/region_neurons.h"
+
+namespace stratascope {
+
+/// The lattice cut into small blocks, and in each the neurons that agree: what regions are joined from, and
+/// what makes their sums cheap. Neurons without a normal are of no patch.
+class Patches {
+public:
+  Patches(const Neurons& neurons, const Execution& execution);
+
+  const Grid<std::int32_t>& patch() const { return patch_; }  ///< index into sums(), or kNoRegion
+  const std::vector<PatchSums>& sums() const { return sums_; }
+  int blockLines() const { return blockLines_; }
+
+  /// Sums and sizes of regions made of the same neurons: whole blocks at once where all of a block is one
+  /// region. Only neurons with a normal enter the sums; the sizes count all.
+  struct RegionSums {
+    std::vector<PatchSums> sums;
+    std::vector<std::size_t> size;
+  };
+  RegionSums sumsOf(const Grid<std::int32_t>& region, std::size_t regions, const Execution& execution) const;
+
+private:
+  struct Block {
+    int line, endLine, beam, endBeam;
+  };
+  Block block(int row, int col) const;
+  void labelBlock(const Block& block, std::vector<PatchSums>& sums, std::vector<GridIndex>& stack);
+  bool agree(GridIndex a, GridIndex b) const;
+
+  const Neurons& neurons_;
+  static constexpr int kBlockBeams = 4;
+  int blockLines_;
+  float cosAgree_;
+  Grid<std::int32_t> patch_;
+  std::vector<PatchSums> sums_;
+  Grid<PatchSums> ofBlock_;  // of all neurons with a normal
+};
+
+/// Pairs of labels that are lattice neighbours, or stand up to `farthest` neurons apart along lines and beams
+/// (and, if asked, on diagonals); each pair once, the smaller label first, in ascending order.
+std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int32_t>& labels, int farthest,
+                                                            bool diagonally, const Execution& execution);
+
+}  // namespace stratascope
