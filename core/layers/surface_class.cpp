@@ -113,7 +113,7 @@ public:
       if (!valid(to)) continue;
       const float angle = d.row == 0 ? step.beam : d.col == 0 ? step.line : diagonal;
       if (isJump(at, to, angle, noise)) return SurfaceClass::JumpEdge;
-      const SurfaceClass c = creaseBetween(at, to);
+      const SurfaceClass c = creaseBetween(at, to, d);
       if (c != SurfaceClass::Unknown) crease = c;
     }
     if (crease != SurfaceClass::Unknown || known(normals_.normals(at))) return crease;
@@ -125,7 +125,7 @@ public:
         const GridIndex b{at.row - reach * kLatticeDirections[d].row,
                           at.col - reach * kLatticeDirections[d].col};
         if (!valid(a) || !valid(b)) continue;
-        const SurfaceClass c = creaseBetween(a, b);
+        const SurfaceClass c = creaseBetween(a, b, {-kLatticeDirections[d].row, -kLatticeDirections[d].col});
         if (c != SurfaceClass::Unknown) return c;
       }
     return SurfaceClass::Unknown;
@@ -149,11 +149,25 @@ private:
     return (points_.points(a) - points_.points(b)).squaredNorm() > allowed * allowed;
   }
 
-  SurfaceClass creaseBetween(GridIndex a, GridIndex b) const {
+  // `b` lies from `a` in that direction. Right at the crease noise hides which way it opens, so the points are
+  // taken a little farther out on both surfaces.
+  SurfaceClass creaseBetween(GridIndex a, GridIndex b, GridIndex direction) const {
     const Eigen::Vector3f &n1 = normals_.normals(a), &n2 = normals_.normals(b);
     if (!known(n1) || !known(n2) || n1.dot(n2) >= cosParallel_) return SurfaceClass::Unknown;
-    return (n2 - n1).dot(points_.points(b) - points_.points(a)) > 0 ? SurfaceClass::ConvexEdge
-                                                                    : SurfaceClass::ConcaveEdge;
+    const Eigen::Vector3f p1 = points_.points(farther(a, {-direction.row, -direction.col})),
+                          p2 = points_.points(farther(b, direction));
+    return (n2 - n1).dot(p2 - p1) > 0 ? SurfaceClass::ConvexEdge : SurfaceClass::ConcaveEdge;
+  }
+
+  // Up to three neurons on, while the surface stays the same.
+  GridIndex farther(GridIndex from, GridIndex direction) const {
+    GridIndex at = from;
+    for (int step = 0; step < 3; ++step) {
+      const GridIndex next{at.row + direction.row, at.col + direction.col};
+      if (!valid(next) || !(normals_.normals(next).dot(normals_.normals(from)) >= cosParallel_)) break;
+      at = next;
+    }
+    return at;
   }
 
   const PointImage& points_;

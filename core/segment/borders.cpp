@@ -46,24 +46,28 @@ private:
           Sides& sides = parts[static_cast<size_t>(begin / kRows)];
           Pair lastPair{kNoRegion, kNoRegion};
           Side* last = nullptr;
-          for (int i = begin; i < end; i += inside / 7)  // farther inside there are more to ask
+          for (int i = begin; i < end; i += inside / 7) {  // farther inside there are more to ask
+            const std::int32_t* row = region.row(i).data();
+            const std::int32_t *above = i >= inside ? region.row(i - inside).data() : row,
+                               *below = i + inside < region.rows() ? region.row(i + inside).data() : row;
             for (int j = 0; j < region.cols(); ++j) {
-              const std::int32_t own = region({i, j});
-              if (own == kNoRegion) continue;
-              for (const GridIndex to : {GridIndex{i - inside, j}, GridIndex{i + inside, j},
-                                         GridIndex{i, j - inside}, GridIndex{i, j + inside}}) {
-                if (!region.contains(to)) continue;
-                const std::int32_t other = region(to);
+              const std::int32_t own = row[j];
+              const int left = j >= inside ? j - inside : j, right = j + inside < region.cols() ? j + inside : j;
+              if (own == kNoRegion ||
+                  (above[j] == own && below[j] == own && row[left] == own && row[right] == own))
+                continue;
+              const Eigen::Vector3d q = neurons.q({i, j});
+              const double r = neurons.points.range({i, j});
+              const double byOwn = regions.planes[static_cast<size_t>(own)].rangeError(q, r);
+              for (const std::int32_t other : {above[j], below[j], row[left], row[right]}) {
                 if (other == kNoRegion || other == own) continue;
-                const Eigen::Vector3d q = neurons.q({i, j});
-                const double r = neurons.points.range({i, j});
-                const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q, r) -
-                                     regions.planes[static_cast<size_t>(own)].rangeError(q, r);
+                const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q, r) - byOwn;
                 if (const Pair pair{own, other}; pair != lastPair) lastPair = pair, last = &sides[pair];
                 last->sum += std::clamp(ahead, -1.0, 1.0);
                 last->count += 1;
               }
             }
+          }
         },
         kRows);
     Sides sides;
@@ -164,16 +168,19 @@ std::vector<GridIndex> borderOf(const Neurons& neurons, const std::vector<char>&
       region.rows(), execution,
       [&](int begin, int end) {
         std::vector<GridIndex>& part = parts[static_cast<size_t>(begin / kRows)];
-        for (int i = begin; i < end; ++i)
+        for (int i = begin; i < end; ++i) {
+          const std::int32_t* row = region.row(i).data();
+          const std::int32_t *above = region.row(std::max(0, i - 1)).data(),
+                             *below = region.row(std::min(region.rows() - 1, i + 1)).data();
           for (int j = 0; j < region.cols(); ++j) {
-            const std::int32_t own = region({i, j});
-            bool border = own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}));
-            for (size_t k = 0; k < 8 && !border; ++k) {
-              const GridIndex to{i + kLatticeDirections[k].row, j + kLatticeDirections[k].col};
-              border = region.contains(to) && region(to) != own;
-            }
-            if (border) part.push_back({i, j});
+            const std::int32_t own = row[j];
+            const int l = std::max(0, j - 1), r = std::min(region.cols() - 1, j + 1);
+            const bool inside = above[l] == own && above[j] == own && above[r] == own && row[l] == own &&
+                                row[r] == own && below[l] == own && below[j] == own && below[r] == own;
+            if (!inside || (own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}))))
+              part.push_back({i, j});
           }
+        }
       },
       kRows);
   std::vector<GridIndex> border;

@@ -3,7 +3,9 @@
 #include "segment/objects.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "layers/surface_class.h"
 #include "segment/plane_fit.h"
@@ -40,6 +42,35 @@ std::vector<Members> collect(const PointImage& image, const PlaneRegions& region
   return members;
 }
 
+// Points well inside the polygon of the farthest ones in eight directions are no corners of the hull (Akl and
+// Toussaint); few are left to sort.
+void dropInner(std::vector<Eigen::Vector2d>& points) {
+  constexpr double kDiagonal = 0.70710678118654752;
+  static const std::array<Eigen::Vector2d, 8> directions = {
+      Eigen::Vector2d(1, 0),  Eigen::Vector2d(kDiagonal, kDiagonal),   Eigen::Vector2d(0, 1),  Eigen::Vector2d(-kDiagonal, kDiagonal),
+      Eigen::Vector2d(-1, 0), Eigen::Vector2d(-kDiagonal, -kDiagonal), Eigen::Vector2d(0, -1), Eigen::Vector2d(kDiagonal, -kDiagonal)};
+  if (points.size() < 64) return;
+  std::array<Eigen::Vector2d, 8> corner;
+  std::array<double, 8> farthest;
+  farthest.fill(-std::numeric_limits<double>::infinity());
+  for (const Eigen::Vector2d& p : points)
+    for (size_t d = 0; d < 8; ++d)
+      if (const double along = directions[d].dot(p); along > farthest[d]) farthest[d] = along, corner[d] = p;
+  // p is inside if it lies left of every side; the sides' inward normals and offsets once for all points.
+  std::array<Eigen::Vector2d, 8> inward;
+  std::array<double, 8> offset;
+  for (size_t d = 0; d < 8; ++d) {
+    const Eigen::Vector2d side = corner[(d + 1) % 8] - corner[d];
+    inward[d] = {-side.y(), side.x()};
+    offset[d] = inward[d].dot(corner[d]);
+  }
+  std::erase_if(points, [&](const Eigen::Vector2d& p) {
+    for (size_t d = 0; d < 8; ++d)
+      if (inward[d] != Eigen::Vector2d::Zero() && !(inward[d].dot(p) > offset[d])) return false;
+    return true;
+  });
+}
+
 // Andrew's monotone chain in the plane's own coordinates; u × v = normal, so counter-clockwise is as the
 // sensor sees it.
 std::vector<Eigen::Vector3d> convexHull(const std::vector<Eigen::Vector3d>& points, const Plane& plane) {
@@ -49,6 +80,7 @@ std::vector<Eigen::Vector3d> convexHull(const std::vector<Eigen::Vector3d>& poin
   std::vector<Eigen::Vector2d> flat;
   flat.reserve(points.size());
   for (const auto& p : points) flat.emplace_back(u.dot(p - plane.centroid), v.dot(p - plane.centroid));
+  dropInner(flat);
   std::sort(flat.begin(), flat.end(),
             [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   std::vector<Eigen::Vector2d> chain(2 * flat.size() + 1);

@@ -139,8 +139,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int3
   std::vector<GridIndex> offsets;
   for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, 0}, {0, reach}});
   if (diagonally)
-    for (int di = 1; di <= farthest; ++di)
-      for (int dj = 1; dj <= farthest; ++dj) offsets.insert(offsets.end(), {{di, dj}, {di, -dj}});
+    for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, reach}, {reach, -reach}});
   constexpr int kRows = 32;
   std::vector<std::vector<Pair>> parts(static_cast<size_t>((labels.rows() + kRows - 1) / kRows));
   parallelRows(
@@ -151,23 +150,17 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int3
         // enough to drop nearly all.
         std::vector<Pair> last(offsets.size() * static_cast<size_t>(labels.cols()), Pair{kNoRegion, kNoRegion});
         for (int i = begin; i < end; ++i)
-          for (int j = 0; j < labels.cols(); ++j) {
-            const std::int32_t a = labels({i, j});
-            if (a == kNoRegion) continue;
-            // Inside a region nothing is near.
-            if (diagonally && i + farthest < labels.rows() && j >= farthest && j + farthest < labels.cols() &&
-                labels({i, j + farthest}) == a && labels({i + farthest, j}) == a &&
-                labels({i + farthest, j + farthest}) == a && labels({i + farthest, j - farthest}) == a)
-              continue;
-            for (size_t k = 0; k < offsets.size(); ++k) {
-              const GridIndex to{i + offsets[k].row, j + offsets[k].col};
-              if (!labels.contains(to)) continue;
-              const std::int32_t b = labels(to);
-              if (b == kNoRegion || b == a) continue;
+          for (size_t k = 0; k < offsets.size(); ++k) {
+            if (i + offsets[k].row >= labels.rows()) continue;
+            const int shift = offsets[k].col;
+            const std::int32_t *row = labels.row(i).data(), *other = labels.row(i + offsets[k].row).data() + shift;
+            Pair* before = &last[k * static_cast<size_t>(labels.cols())];
+            for (int j = std::max(0, -shift); j < std::min(labels.cols(), labels.cols() - shift); ++j) {
+              const std::int32_t a = row[j], b = other[j];
+              if (a == b || a == kNoRegion || b == kNoRegion) continue;
               const Pair pair = std::minmax(a, b);
-              Pair& before = last[k * static_cast<size_t>(labels.cols()) + static_cast<size_t>(j)];
-              if (before == pair || (!pairs.empty() && pairs.back() == pair)) continue;
-              before = pair;
+              if (before[j] == pair || (!pairs.empty() && pairs.back() == pair)) continue;
+              before[j] = pair;
               pairs.push_back(pair);
             }
           }
