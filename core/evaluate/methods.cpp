@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/methods.h"
 
+#include "interop/peers.h"
+#include "layers/point_layer.h"
 #include "pipeline/pipeline.h"
 
 namespace stratascope {
@@ -10,7 +12,9 @@ namespace {
 struct MethodNames {
   const char *name, *key;
 };
-constexpr MethodNames kNames[kMethodCount] = {{"Stratascope", "stratascope"}};
+constexpr MethodNames kNames[kMethodCount] = {{"Stratascope", "stratascope"},
+                                              {"PCL radius 0.10 m + multi-plane", "pcl_radius"},
+                                              {"PCL integral image + multi-plane", "pcl_integral"}};
 
 Expected<MethodResult> runStratascope(const ScanPtr& scan, const PipelineParams& params,
                                       const Execution& execution) {
@@ -29,6 +33,18 @@ Expected<MethodResult> runStratascope(const ScanPtr& scan, const PipelineParams&
   return result;
 }
 
+MethodResult runPcl(Method method, const Scan& scan, const PipelineParams& params,
+                    const Execution& execution) {
+  const PointImage points = computePoints(scan, params.range, execution);
+  const bool radius = method == Method::PclRadius;
+  PeerNormals normals =
+      radius ? pclRadiusNormals(points, kPclRadius, execution.threads) : pclIntegralImageNormals(points);
+  PeerPlanes planes =
+      pclMultiPlane(points, normals.normals, radius ? kPclPlanesOfRadius : kPclPlanesOfIntegralImage);
+  return {std::move(planes.labels), std::move(normals.normals), std::move(planes.normals), normals.seconds,
+          normals.seconds + planes.seconds};
+}
+
 }  // namespace
 
 const char* methodName(Method method) {
@@ -40,16 +56,14 @@ const char* methodKey(Method method) {
 }
 
 std::vector<Method> methodsBuiltIn() {
-  return {Method::Stratascope};
+  if (pclVersion().empty()) return {Method::Stratascope};
+  return {Method::Stratascope, Method::PclRadius, Method::PclIntegral};
 }
 
 Expected<MethodResult> runMethod(Method method, const ScanPtr& scan, const PipelineParams& params,
                                  const Execution& execution) {
-  switch (method) {
-    case Method::Stratascope:
-      return runStratascope(scan, params, execution);
-  }
-  throw std::logic_error("runMethod: not built in");
+  if (method == Method::Stratascope) return runStratascope(scan, params, execution);
+  return runPcl(method, *scan, params, execution);
 }
 
 }  // namespace stratascope

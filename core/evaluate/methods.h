@@ -18,8 +18,11 @@ namespace stratascope {
 /// What segments a scan: this program, or a peer on the same points.
 enum class Method : std::uint8_t {
   Stratascope,
+  PclRadius,    ///< PCL: normals from all points within 0.10 m, organised multi-plane segmentation
+  PclIntegral,  ///< PCL: integral-image normals, organised multi-plane segmentation
 };
-inline constexpr int kMethodCount = 1;
+inline constexpr int kMethodCount = 3;
+inline constexpr double kPclRadius = 0.10;
 
 const char* methodName(Method method);  ///< for people
 const char* methodKey(Method method);   ///< for JSON
@@ -37,7 +40,7 @@ struct MethodResult {
 };
 
 /// Errors: parameters or scan cannot be used. A method that is not built in throws std::logic_error. Peers
-/// have settings of their own (interop/pcl_peers.h) and use `execution.threads` where they can.
+/// have settings of their own (interop/peers.h) and use `execution.threads` where they can.
 Expected<MethodResult> runMethod(Method method, const ScanPtr& scan, const PipelineParams& params,
                                  const Execution& execution);
 

@@ -79,9 +79,9 @@ TEST(IncludeRules, CoreKnowsNeitherWindowNorToolkit) {
   }
 }
 
-TEST(IncludeRules, PclOnlyInInterop) {
+TEST(IncludeRules, PeersOnlyInInterop) {
   for (const Include& include : includesIn("core")) {
-    if (firstFolder(include.name) == "pcl") {
+    if (firstFolder(include.name) == "pcl" || firstFolder(include.name) == "octomap") {
       EXPECT_TRUE(include.file.starts_with("core/interop/")) << include.file << " includes " << include.name;
     }
   }
