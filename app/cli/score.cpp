@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/score_table.h"
 #include "app/cli/text_table.h"
 #include "base/units.h"
 #include "io/labelled_cloud.h"
+#include "segment/visible_pieces.h"
 
 namespace stratascope::cli {
 namespace {
@@ -19,8 +21,21 @@ using Json = nlohmann::ordered_json;
 struct ScoreArguments {
   std::string result, truth;
   double overlap = 0.8;
-  bool json = false;
+  bool json = false, pieces = false, table = false;
+  ScoreTableArguments tableArguments;
 };
+
+/// Needs a lattice: pieces are told by neighbourhood.
+Status splitTruth(const std::string& path, LabelledCloud& truth) {
+  if (truth.lines < 2)
+    return Error{path, "HEIGHT", "no lattice, so --pieces cannot tell what is connected",
+                 "give truth as lines x beams, or leave --pieces out"};
+  Grid<std::uint32_t> labels(truth.lines, truth.beams);
+  std::copy(truth.labels.begin(), truth.labels.end(), labels.values().begin());
+  const Grid<std::uint32_t> pieces = splitIntoVisiblePieces(labels);
+  truth.labels.assign(pieces.values().begin(), pieces.values().end());
+  return success();
+}
 
 Json numberOrNull(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -69,9 +84,15 @@ std::string asText(const SegmentationScore& score) {
 Status score(const ScoreArguments& arguments) {
   if (!(arguments.overlap > 0.5 && arguments.overlap <= 1))
     throw BadArguments("--overlap: must be above 0.5 and at most 1");
+  if (arguments.table) {
+    if (!arguments.result.empty() || arguments.pieces)
+      throw BadArguments("--table: takes no RESULT and no TRUTH, and always splits truth into pieces");
+    return printScoreTable(arguments.tableArguments, arguments.overlap, arguments.json);
+  }
+  if (arguments.truth.empty()) throw BadArguments("RESULT and TRUTH are required, or --table");
   const auto found = readLabelledPcd(arguments.result);
   if (!found) return found.error();
-  const auto truth = readLabelledPcd(arguments.truth);
+  auto truth = readLabelledPcd(arguments.truth);
   if (!truth) return truth.error();
   const auto size = [](const LabelledCloud& c) {
     return std::to_string(c.beams) + " x " + std::to_string(c.lines);
@@ -82,6 +103,8 @@ Status score(const ScoreArguments& arguments) {
     return Error{arguments.result, "WIDTH x HEIGHT",
                  size(*found) + " points, but the truth " + arguments.truth + " has " + size(*truth),
                  "both must be of the same scan, point by point"};
+  if (arguments.pieces)
+    if (const Status split = splitTruth(arguments.truth, *truth); !split) return split;
   const ScoreInput input{.foundLabels = found->labels,
                          .truthLabels = truth->labels,
                          .foundNormals = found->normals,
@@ -103,14 +126,20 @@ void addScore(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("score",
                                          "Compares a segmentation with the truth: regions correct, over- and "
                                          "under-segmented, missed, noise, as Hoover counts them");
-  command->add_option("RESULT", arguments->result, "PCD with found labels, such as cloud.pcd")->required();
-  command
-      ->add_option("TRUTH", arguments->truth,
-                   "PCD with true labels in label, or in intensity; 10 and above are planes")
-      ->required();
+  command->add_option("RESULT", arguments->result, "PCD with found labels, such as cloud.pcd");
+  command->add_option("TRUTH", arguments->truth,
+                      "PCD with true labels in label, or in intensity; 10 and above are planes");
   command->add_option("--overlap", arguments->overlap, "Share of a region that must be shared")
       ->capture_default_str();
+  command->add_flag(
+      "--pieces", arguments->pieces,
+      "Split true planes into the pieces the scanner sees: a wall on both sides of a pillar is two");
   command->add_flag("--json", arguments->json, "One JSON document on standard output");
+  command->add_flag(
+      "--table", arguments->table,
+      "Instead of files: processes every scan whose truth is known and prints one table, beside "
+      "PCL where it is built in");
+  arguments->tableArguments.addTo(*command);
   command->callback([arguments, &action] { action = [arguments] { return score(*arguments); }; });
 }
 

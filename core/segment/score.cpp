@@ -13,7 +13,6 @@
 namespace stratascope {
 namespace {
 
-constexpr std::uint32_t kFirstTruthPlane = 10;
 using Label = std::uint32_t;
 
 /// Sizes of regions and of what they share.
@@ -162,22 +161,12 @@ void scorePlaneAngles(const ScoreInput& input, SegmentationScore& score) {
 }
 
 void scoreNormals(const ScoreInput& input, SegmentationScore& score) {
-  if (input.truthNormals.empty() || input.foundNormals.empty()) return;
-  std::vector<double> angles;
-  for (size_t i = 0; i < input.truthNormals.size(); ++i) {
-    if (input.truthLabels[i] < kFirstTruthPlane || !input.truthNormals[i].allFinite()) continue;
-    ++score.normalPixels;
-    if (input.foundNormals[i].allFinite())
-      angles.push_back(angleDeg(input.truthNormals[i].cast<double>(), input.foundNormals[i].cast<double>()));
-  }
-  score.normalPixelsFound = angles.size();
-  if (score.normalPixels == 0) return;
-  std::sort(angles.begin(), angles.end());
-  const auto within = std::upper_bound(angles.begin(), angles.end(), 10.0) - angles.begin();
-  score.normalWithin10 = static_cast<double>(within) / static_cast<double>(score.normalPixels);
-  if (angles.empty()) return;
-  score.normalMedianDeg = quantile(angles, 0.5);
-  score.normal90Deg = quantile(angles, 0.9);
+  const NormalErrors errors = normalErrors(input);
+  score.normalPixels = errors.pixels;
+  score.normalPixelsFound = errors.anglesDeg.size();
+  score.normalWithin10 = errors.shareWithin(10);
+  score.normalMedianDeg = errors.quantileDeg(0.5);
+  score.normal90Deg = errors.quantileDeg(0.9);
 }
 
 }  // namespace
@@ -232,6 +221,37 @@ SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions&
   scorePlaneAngles(input, score);
   scoreNormals(input, score);
   return score;
+}
+
+NormalErrors normalErrors(const ScoreInput& input) {
+  NormalErrors errors;
+  if (input.truthNormals.empty() || input.foundNormals.empty()) return errors;
+  for (size_t i = 0; i < input.truthNormals.size(); ++i) {
+    if (input.truthLabels[i] < kFirstTruthPlane || !input.truthNormals[i].allFinite()) continue;
+    ++errors.pixels;
+    if (input.foundNormals[i].allFinite())
+      errors.anglesDeg.push_back(
+          angleDeg(input.truthNormals[i].cast<double>(), input.foundNormals[i].cast<double>()));
+  }
+  std::sort(errors.anglesDeg.begin(), errors.anglesDeg.end());
+  return errors;
+}
+
+void NormalErrors::add(const NormalErrors& other) {
+  pixels += other.pixels;
+  const auto own = static_cast<std::ptrdiff_t>(anglesDeg.size());
+  anglesDeg.insert(anglesDeg.end(), other.anglesDeg.begin(), other.anglesDeg.end());
+  std::inplace_merge(anglesDeg.begin(), anglesDeg.begin() + own, anglesDeg.end());
+}
+
+std::optional<double> NormalErrors::quantileDeg(double share) const {
+  return anglesDeg.empty() ? std::nullopt : std::optional(quantile(anglesDeg, share));
+}
+
+std::optional<double> NormalErrors::shareWithin(double deg) const {
+  if (pixels == 0) return std::nullopt;
+  const auto within = std::upper_bound(anglesDeg.begin(), anglesDeg.end(), deg) - anglesDeg.begin();
+  return static_cast<double>(within) / static_cast<double>(pixels);
 }
 
 }  // namespace stratascope

@@ -11,6 +11,9 @@
 
 namespace stratascope {
 
+/// True labels from here on are planes (SynPEB's convention).
+inline constexpr std::uint32_t kFirstTruthPlane = 10;
+
 /// A segmentation beside the truth, pixel by pixel in the same order (lattice order, but neighbourhood plays
 /// no part). Labels are needed; every other span may be empty, and what depends on it is then absent from the
 /// score. All spans that are not empty have the same length; else std::logic_error.
@@ -76,5 +79,21 @@ struct SegmentationScore {
 };
 
 SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions& options = {});
+
+/// Angles between found and true normals, over pixels with a truth label >= 10 and a truth normal; those of
+/// several scans can be joined. Degrees, 0…180.
+struct NormalErrors {
+  std::size_t pixels = 0;         ///< such pixels
+  std::vector<double> anglesDeg;  ///< ascending; of those with a found normal
+
+  void add(const NormalErrors& other);
+  /// The angle below which `share` of anglesDeg lie (nearest rank); nothing without angles.
+  std::optional<double> quantileDeg(double share) const;
+  /// Share of `pixels` with an angle up to `deg`; without a found normal = not within. Nothing without
+  /// pixels.
+  std::optional<double> shareWithin(double deg) const;
+};
+/// Empty if one of the normals is.
+NormalErrors normalErrors(const ScoreInput& input);
 
 }  // namespace stratascope

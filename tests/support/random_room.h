@@ -2,16 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
-#include "sim/scene.h"
+#include "sim/random_room.h"
 
 namespace stratascope::test {
-
-/// A furnished room, different for every seed and the same for equal seeds: walls turned against the robot,
-/// tables, cabinets, shelves, perhaps a pillar, a beam under the ceiling, a board, pipes. Ten to twenty or so
-/// flat faces show 100 neurons or more. The scanner is at x = y = 0, 0.8 to 1.2 m above the floor z = 0; full
-/// size, 515 lines of 361 beams, unless changed afterwards.
-Scene randomRoom(std::uint64_t seed);
-
+using stratascope::randomRoom;
 }  // namespace stratascope::test

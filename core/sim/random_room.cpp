@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/random_room.h"
+#include "sim/random_room.h"
 
 #include "base/units.h"
 #include "sim/counter_noise.h"
 
-namespace stratascope::test {
+namespace stratascope {
 namespace {
 
 class RoomMaker {
@@ -128,4 +128,4 @@ Scene randomRoom(std::uint64_t seed) {
   return RoomMaker(seed).make();
 }
 
-}  // namespace stratascope::test
+}  // namespace stratascope
