@@ -44,6 +44,18 @@ struct Half {
   float lines = 0, beams = 0;
 };
 
+/// Half-sizes of a window a neuron's own plane came from, in whole neurons; small, for many are looked at. Both 0:
+/// none.
+struct Window {
+  std::uint8_t lines = 0, beams = 0;
+};
+
+/// What is asked about one neuron again and again.
+struct Beam {
+  Eigen::Vector3d q;  // from the sensor
+  double range, variance;  // the latter of the scanner alone
+};
+
 /// normal·q = −distance, the normal toward the sensor.
 struct LocalPlane {
   Eigen::Vector3f normal;
@@ -108,7 +120,7 @@ private:
           fit = fitWindow(at, {1, 1}, sums);
         }
         half_(at) = half_(leader);
-        if (fit && ownDisagreement(at, fit->local) < 1) take(at, {1, 1}, fit->local);
+        if (fit && ownDisagreement(beam(at), fit->local) < 1) take(at, {1, 1}, fit->local);
       }
   }
 
@@ -125,22 +137,34 @@ private:
     open.erase(std::remove_if(open.begin(), open.end(), [&](std::uint32_t o) { return isKnown(o); }), open.end());
   }
 
-  // Windows around the neurons themselves.
+  // Windows around the neurons themselves; the next neuron along the line shares them, as above.
   void centred(const Level& level, std::vector<std::uint32_t>& open, const Execution& execution) {
     eachBand(execution, [&](int first, int end, const WindowSums& sums) {
       const auto from = std::lower_bound(open.begin(), open.end(), image_.range.offset({first, 0}));
       const auto to = std::lower_bound(from, open.end(), image_.range.offset({end, 0}));
-      eachOf({from, to}, execution, [&](std::uint32_t o) {
-        const GridIndex at = image_.range.index(o);
-        double best = 1;
-        for (int s = 0; s < level.count; ++s) {
-          const Shape& shape = level.shapes[static_cast<size_t>(s)];
-          const std::optional<Fit> fit = fitWindow(at, shape, sums);
-          if (!fit) continue;
-          const double disagreement = std::max(fit->disagreement, ownDisagreement(at, fit->local));
-          if (disagreement >= best) continue;
-          best = disagreement;
-          take(at, shape, fit->local);
+      eachChunk({from, to}, execution, [&](std::span<const std::uint32_t> neurons) {
+        std::array<std::optional<Fit>, 4> fits;
+        std::uint32_t leader = kNone;
+        for (const std::uint32_t o : neurons) {
+          const GridIndex at = image_.range.index(o);
+          const bool follows = leader != kNone && o == leader + 1 && half_[o].beams >= 6 &&
+                               (image_.points[o] - image_.points[leader]).norm() < 0.5 * params_.epsilon2;
+          if (!follows) {
+            leader = o;
+            for (int s = 0; s < level.count; ++s)
+              fits[static_cast<size_t>(s)] = fitWindow(at, level.shapes[static_cast<size_t>(s)], sums);
+          }
+          const Beam own = beam(at);
+          double best = 1;
+          for (int s = 0; s < level.count; ++s) {
+            const std::optional<Fit>& fit = fits[static_cast<size_t>(s)];
+            if (!fit) continue;
+            const double disagreement = std::max(fit->disagreement, ownDisagreement(own, fit->local));
+            if (disagreement >= best) continue;
+            best = disagreement;
+            take(at, level.shapes[static_cast<size_t>(s)], fit->local);
+          }
+          if (follows) leader = kNone;
         }
       });
     });
@@ -150,43 +174,57 @@ private:
   // A plane found around a neighbour, if its window holds this neuron and it explains the neuron's range. One
   // synchronous step: only neurons with a window of their own are asked.
   void takeOver(const Level& level, std::vector<std::uint32_t>& open, const Execution& execution) {
-    std::vector<std::uint32_t> from(open.size(), kNone);
-    eachOf(open, execution, [&](const std::uint32_t& o) {
-      const GridIndex at = image_.range.index(o);
-      double best = 1;
-      for (const float share : {1.0f, .75f, .5f, .25f}) {
+    findFrom(open, execution, [&](GridIndex at, auto&& offer) {
+      const Half& half = half_(at);
+      for (const float share : {1.0f, .5f}) {
         for (int s = 0; s < level.count; ++s) {
           const Shape& shape = level.shapes[static_cast<size_t>(s)];
-          const int lines = static_cast<int>(share * shape.lines * half_[o].lines + 0.5f),
-                    beams = static_cast<int>(share * shape.beams * half_[o].beams + 0.5f);
+          const int lines = static_cast<int>(share * shape.lines * half.lines + 0.5f),
+                    beams = static_cast<int>(share * shape.beams * half.beams + 0.5f);
           for (const GridIndex& d : kLatticeDirections) {
             const GridIndex to{at.row + d.row * lines, at.col + d.col * beams};
-            if (!image_.range.contains(to) || lines > window_(to).lines + kBeside || beams > window_(to).beams + kBeside) continue;
-            const double own = ownDisagreement(at, {result_.normals(to), result_.distance(to)});
-            if (own >= best) continue;
-            best = own;
-            from[static_cast<size_t>(&o - open.data())] = static_cast<std::uint32_t>(image_.range.offset(to));
+            if (!image_.range.contains(to)) continue;
+            // Neurons next to a window are still on its surface if their range says so.
+            const Window window = window_(to);
+            if (window.lines > 0 && lines <= window.lines + 1 && beams <= window.beams + 1) offer(to);
           }
         }
-        if (best < 0.1) break;  // within the noise; nothing nearer would say more
+        if (offer.best < kWithinNoise) return;
       }
     });
-    copyFrom(from, open);
   }
 
   // What is left lies at the very border of a surface: a next neighbour's plane, if it explains the range.
   void spread(std::vector<std::uint32_t>& open, const Execution& execution) {
-    std::vector<std::uint32_t> from(open.size(), kNone);
-    eachOf(open, execution, [&](const std::uint32_t& o) {
-      const GridIndex at = image_.range.index(o);
-      double best = 1;
+    findFrom(open, execution, [&](GridIndex at, auto&& offer) {
       for (const GridIndex& d : kLatticeDirections) {
         const GridIndex to{at.row + d.row, at.col + d.col};
-        if (!image_.range.contains(to)) continue;
-        const double own = ownDisagreement(at, {result_.normals(to), result_.distance(to)});
-        if (own >= best) continue;
-        best = own;
-        from[static_cast<size_t>(&o - open.data())] = static_cast<std::uint32_t>(image_.range.offset(to));
+        if (image_.range.contains(to) && isKnown(image_.range.offset(to))) offer(to);
+      }
+    });
+  }
+
+  /// Of the neurons offered to each open one, that whose plane explains the open one's range best.
+  template <class Ask>
+  void findFrom(std::vector<std::uint32_t>& open, const Execution& execution, const Ask& ask) {
+    struct Offer {
+      const Regression& self;
+      Beam own;
+      double best = 1;
+      GridIndex from{-1, -1};
+      void operator()(GridIndex to) {
+        const double disagreement = ownDisagreement(own, {self.result_.normals(to), self.result_.distance(to)});
+        if (disagreement < best) best = disagreement, from = to;
+      }
+    };
+    std::vector<std::uint32_t> from(open.size(), kNone);
+    eachChunk(open, execution, [&](std::span<const std::uint32_t> neurons) {
+      for (const std::uint32_t& o : neurons) {
+        const GridIndex at = image_.range.index(o);
+        Offer offer{*this, beam(at)};
+        ask(at, offer);
+        if (offer.from.row >= 0)
+          from[static_cast<size_t>(&o - open.data())] = static_cast<std::uint32_t>(image_.range.offset(offer.from));
       }
     });
     copyFrom(from, open);
@@ -203,14 +241,11 @@ private:
   }
 
   template <class Body>
-  void eachOf(std::span<const std::uint32_t> neurons, const Execution& execution, const Body& body) const {
+  static void eachChunk(std::span<const std::uint32_t> neurons, const Execution& execution, const Body& body) {
     constexpr int kChunk = 512;
     parallelRows(
         static_cast<int>(neurons.size()), execution,
-        [&](int begin, int end) {
-          for (const std::uint32_t& o : neurons.subspan(static_cast<size_t>(begin), static_cast<size_t>(end - begin)))
-            body(o);
-        },
+        [&](int begin, int end) { body(neurons.subspan(static_cast<size_t>(begin), static_cast<size_t>(end - begin))); },
         kChunk);
   }
 
@@ -229,7 +264,8 @@ private:
     result_.normals(at) = plane.normal;
     result_.distance(at) = plane.distance;
     result_.reach(at) = static_cast<float>(params_.epsilon1) * std::sqrt(shape.lines * shape.beams);
-    window_(at) = {shape.lines * half_(at).lines, shape.beams * half_(at).beams};
+    window_(at) = {static_cast<std::uint8_t>(shape.lines * half_(at).lines + 0.5f),
+                   static_cast<std::uint8_t>(shape.beams * half_(at).beams + 0.5f)};
   }
 
   Half largestHalf(GridIndex at) const {
@@ -300,13 +336,18 @@ private:
             std::max(0, at.col - beams), std::min(sums.beams() - 1, at.col + beams)};
   }
 
-  // Squared range error of a neuron against a plane, over the largest that the noise explains.
-  double ownDisagreement(GridIndex at, const LocalPlane& plane) const {
+  Beam beam(GridIndex at) const {
     const float r = image_.range(at);
-    const double along = -plane.normal.cast<double>().dot(q(at));
+    return {q(at), r, image_.noise.varianceAt(r)};
+  }
+
+  // Squared range error of a neuron against a plane, over the largest that the noise explains.
+  static double ownDisagreement(const Beam& beam, const LocalPlane& plane) {
+    const double along = -plane.normal.cast<double>().dot(beam.q);
     if (!(along > 0)) return std::numeric_limits<double>::infinity();
-    const double error = r * (plane.distance / along - 1);
-    return error * error / (kOwnSigmas * kOwnSigmas * image_.noise.varianceAt(r, along / r));
+    const double error = beam.range * (plane.distance / along - 1), cosine = std::max(0.05, along / beam.range),
+                 rough = RangeNoise::kRoughness / cosine;
+    return error * error / (kOwnSigmas * kOwnSigmas * (beam.variance + rough * rough));
   }
 
   // Noise leaves no pattern; a crease or a bend does. Mean residuals of 3 × 3 parts of the window against
@@ -331,8 +372,8 @@ private:
                                 &p3 = corner[a + 1][b + 1];
         const WindowSums::Means m = {(p3.sum - p1.sum) - (p2.sum - p0.sum), (p3.n - p1.n) - (p2.n - p0.n)};
         if (m.n < 3) continue;
-        const double mean = r * (plane.n.dot(m.sum) / m.n + 1);  // (N·q + 1) is the range error over the range
-        chiSquare += mean * mean / (variance / m.n + rough * rough);
+        const double sum = r * (plane.n.dot(m.sum) + m.n);  // N·q + 1 is the range error over the range
+        chiSquare += sum * sum / (m.n * (variance + m.n * rough * rough));
         ++parts;
       }
     // 99 % of χ² with the parts less three degrees of freedom.
@@ -340,7 +381,7 @@ private:
     return freedom < 1 ? 0 : chiSquare / kChiSquare99[static_cast<size_t>(freedom)];
   }
 
-  static constexpr float kBeside = 1.5f;  // neurons next to a window are still on its surface if their range says so
+  static constexpr double kWithinNoise = 0.25;  // of a range error: nothing nearer would say more
   static constexpr int kSpread = 3;          // steps
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::array<double, 7> kChiSquare99 = {0, 6.63, 9.21, 11.34, 13.28, 15.09, 16.81};
@@ -349,7 +390,7 @@ private:
   const NormalParams& params_;
   NormalImage& result_;
   Grid<Half> half_;    // of the largest window around each neuron
-  Grid<Half> window_;  // of the window each neuron's own plane came from; 0 without one
+  Grid<Window> window_;
   WindowSums sums_;
 };
 

@@ -3,6 +3,7 @@
 #include "layers/surface_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -99,7 +100,10 @@ public:
         normals_(normals),
         cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))),
         spread_(feedForward<float>(
-            points.range.rows(), points.range.cols(), [this](GridIndex at) { return spreadAt(at); }, execution)) {}
+            points.range.rows(), points.range.cols(), [this](GridIndex at) { return spreadAt(at); }, execution)) {
+    for (size_t k = 0; k < offsets_.size(); ++k)
+      offsets_[k] = static_cast<std::ptrdiff_t>(kLatticeDirections[k].row) * points.range.cols() + kLatticeDirections[k].col;
+  }
 
   /// An edge class, or Unknown if the neuron is on no edge.
   SurfaceClass operator()(GridIndex at) const {
@@ -108,13 +112,20 @@ public:
     const LatticeSteps::Step step = points_.steps.at(at);
     const float diagonal = std::sqrt(step.line * step.line + step.beam * step.beam);
     const auto noise = static_cast<float>(6 * points_.noise.sigmaAt(points_.range(at)));
-    for (const GridIndex& d : kLatticeDirections) {
-      const GridIndex to{at.row + d.row, at.col + d.col};
-      if (!valid(to)) continue;
-      const float angle = d.row == 0 ? step.beam : d.col == 0 ? step.line : diagonal;
-      if (isJump(at, to, angle, noise)) return SurfaceClass::JumpEdge;
-      const SurfaceClass c = creaseBetween(at, to, d);
-      if (c != SurfaceClass::Unknown) crease = c;
+    const size_t o = points_.range.offset(at);
+    const bool atBorder = at.row == 0 || at.col == 0 || at.row + 1 == points_.range.rows() || at.col + 1 == points_.range.cols();
+    const float range = points_.range[o];
+    const Eigen::Vector3f normal = normals_.normals[o];
+    for (size_t k = 0; k < kLatticeDirections.size(); ++k) {
+      const GridIndex d = kLatticeDirections[k], to{at.row + d.row, at.col + d.col};
+      if (atBorder && !points_.range.contains(to)) continue;
+      const size_t n = o + static_cast<size_t>(offsets_[k]);
+      // Ranges within the noise of each other cannot be a jump; most are.
+      if (std::abs(range - points_.range[n]) > noise) {  // false where nothing came back
+        const float angle = d.row == 0 ? step.beam : d.col == 0 ? step.line : diagonal;
+        if (isJump(at, to, angle, noise)) return SurfaceClass::JumpEdge;
+      }
+      if (normal.dot(normals_.normals[n]) < cosParallel_) crease = creaseBetween(at, to, d);
     }
     if (crease != SurfaceClass::Unknown || known(normals_.normals(at))) return crease;
     // No window fits a neuron right on a crease: look at the surfaces on both sides of it.
@@ -173,6 +184,7 @@ private:
   const PointImage& points_;
   const NormalImage& normals_;
   float cosParallel_;
+  std::array<std::ptrdiff_t, 8> offsets_{};  // of the lattice directions, in neurons
   Grid<float> spread_;
 };
 

@@ -46,11 +46,12 @@ private:
           Sides& sides = parts[static_cast<size_t>(begin / kRows)];
           Pair lastPair{kNoRegion, kNoRegion};
           Side* last = nullptr;
-          for (int i = begin; i < end; i += inside / 7) {  // farther inside there are more to ask
+          const int stride = std::max(1, inside / 7);  // farther inside there are more to ask
+          for (int i = begin; i < end; i += stride) {
             const std::int32_t* row = region.row(i).data();
             const std::int32_t *above = i >= inside ? region.row(i - inside).data() : row,
                                *below = i + inside < region.rows() ? region.row(i + inside).data() : row;
-            for (int j = 0; j < region.cols(); ++j) {
+            for (int j = (i / stride) % 2; j < region.cols(); j += 2) {
               const std::int32_t own = row[j];
               const int left = j >= inside ? j - inside : j, right = j + inside < region.cols() ? j + inside : j;
               if (own == kNoRegion ||

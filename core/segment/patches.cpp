@@ -149,21 +149,29 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int3
         // Along a border the same pair comes again and again: the last one of each offset and of each beam is
         // enough to drop nearly all.
         std::vector<Pair> last(offsets.size() * static_cast<size_t>(labels.cols()), Pair{kNoRegion, kNoRegion});
-        for (int i = begin; i < end; ++i)
-          for (size_t k = 0; k < offsets.size(); ++k) {
-            if (i + offsets[k].row >= labels.rows()) continue;
-            const int shift = offsets[k].col;
-            const std::int32_t *row = labels.row(i).data(), *other = labels.row(i + offsets[k].row).data() + shift;
-            Pair* before = &last[k * static_cast<size_t>(labels.cols())];
-            for (int j = std::max(0, -shift); j < std::min(labels.cols(), labels.cols() - shift); ++j) {
-              const std::int32_t a = row[j], b = other[j];
-              if (a == b || a == kNoRegion || b == kNoRegion) continue;
+        for (int i = begin; i < end; ++i) {
+          const std::int32_t* row = labels.row(i).data();
+          const std::int32_t *above = labels.row(std::max(0, i - 1)).data(),
+                             *below = labels.row(std::min(labels.rows() - 1, i + 1)).data();
+          for (int j = 0; j < labels.cols(); ++j) {
+            const std::int32_t a = row[j];
+            // Whatever can be reached from inside a region is reached from its border, too.
+            if (a == kNoRegion || (above[j] == a && below[j] == a && row[std::max(0, j - 1)] == a &&
+                                   row[std::min(labels.cols() - 1, j + 1)] == a))
+              continue;
+            for (size_t k = 0; k < offsets.size(); ++k) {
+              const GridIndex to{i + offsets[k].row, j + offsets[k].col};
+              if (!labels.contains(to)) continue;
+              const std::int32_t b = labels(to);
+              if (b == kNoRegion || b == a) continue;
               const Pair pair = std::minmax(a, b);
-              if (before[j] == pair || (!pairs.empty() && pairs.back() == pair)) continue;
-              before[j] = pair;
+              Pair& before = last[k * static_cast<size_t>(labels.cols()) + static_cast<size_t>(j)];
+              if (before == pair || (!pairs.empty() && pairs.back() == pair)) continue;
+              before = pair;
               pairs.push_back(pair);
             }
           }
+        }
         std::sort(pairs.begin(), pairs.end());
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
       },
