@@ -48,11 +48,19 @@ public:
         if (const double w = weights({di + radius, dj + radius}); w != 0) taps_.push_back({di, dj, w});
   }
 
+  bool empty() const { return taps_.empty(); }
+
   /// Σ over the neighbourhood of weight·value for every neuron of a line; neurons outside the lattice stand at
   /// `boundary`. Tap by tap along the line, so that the loop runs over memory in order.
   void sumLine(const Grid<double>& values, int line, double boundary, std::span<double> sums) const {
-    std::fill(sums.begin(), sums.end(), 0.0);
+    if (taps_.empty()) std::fill(sums.begin(), sums.end(), 0.0);
     for (const Tap& tap : taps_) {
+      if (&tap == &taps_.front() && line + tap.line >= 0 && line + tap.line < values.rows() && tap.beam == 0) {
+        const double* row = values.row(line + tap.line).data();  // spares a pass of zeros
+        for (size_t j = 0; j < sums.size(); ++j) sums[j] = tap.weight * row[j];
+        continue;
+      }
+      if (&tap == &taps_.front()) std::fill(sums.begin(), sums.end(), 0.0);
       const int from = line + tap.line, cols = values.cols();
       if (from < 0 || from >= values.rows()) {
         for (double& sum : sums) sum += tap.weight * boundary;
@@ -89,10 +97,17 @@ TemplateNetwork::TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state
   output_ = Grid<double>(state_.rows(), state_.cols());
 }
 
+void TemplateNetwork::restart(const Grid<double>& state) {
+  require(state_.rows() == state.rows() && state_.cols() == state.cols(), "TemplateNetwork: state of another size");
+  state_ = state;
+}
+
 void TemplateNetwork::computeDrive(const Execution& execution) {
-  if (drive_.size() == state_.size()) return;
-  drive_ = Grid<double>(state_.rows(), state_.cols());
+  if (driveKnown_) return;
+  driveKnown_ = true;
   const Weights feedForward(template_.feedForward);
+  if (feedForward.empty() && template_.bias == 0) return;
+  drive_ = Grid<double>(state_.rows(), state_.cols());
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       feedForward.sumLine(input_, i, boundary_, drive_.row(i));
@@ -110,9 +125,12 @@ void TemplateNetwork::step(double keep, double gain, const Execution& execution)
   });
   parallelRows(state_.rows(), execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      const auto next = next_.row(i), state = state_.row(i), drive = drive_.row(i);
+      const auto next = next_.row(i), state = state_.row(i);
       feedback.sumLine(output_, i, outside, next);
-      for (size_t j = 0; j < next.size(); ++j) next[j] = keep * state[j] + gain * (next[j] + drive[j]);
+      if (!drive_.empty())
+        for (size_t j = 0; j < next.size(); ++j) next[j] += drive_({i, static_cast<int>(j)});
+      if (keep != 0 || gain != 1)
+        for (size_t j = 0; j < next.size(); ++j) next[j] = keep * state[j] + gain * next[j];
     }
   });
   std::swap(state_, next_);

@@ -36,6 +36,9 @@ public:
   /// state: x(0); input: u; same size.
   TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state, Grid<double> input, double boundary = 0);
 
+  /// The same template and input from another x(0), of the same size; keeps its memory.
+  void restart(const Grid<double>& state);
+
   /// Discrete time, Eq. (2) corrected: x(t+1) = Σ A·y(t) + Σ B·u + I, y_ij = f(x_ij).
   void stepDiscrete(const Execution& execution = {});
   /// Continuous time, Eq. (1) corrected: dx/dt = −x + Σ A·f(x) + Σ B·u + I, by one Euler step of length dt in
@@ -53,8 +56,9 @@ private:
   void computeDrive(const Execution& execution);
 
   CnnTemplate template_;
-  Grid<double> state_, next_, output_, input_, drive_;  // drive = Σ B·u + I, constant in time
+  Grid<double> state_, next_, output_, input_, drive_;  // drive = Σ B·u + I, constant in time; empty where it is 0 everywhere
   double boundary_;
+  bool driveKnown_ = false;
 };
 
 /// Well-known templates (3 × 3).

@@ -193,18 +193,18 @@ private:
 void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
   constexpr int kSteps = 3;  // strays up to a few neurons vanish, straight borders do not move
   const Grid<SurfaceClass> before = classes;
-  Grid<double> strongest(classes.rows(), classes.cols(), 0.0);
+  const Grid<double> silent(classes.rows(), classes.cols(), 0.0);
+  Grid<double> strongest = silent, image = silent;
+  TemplateNetwork network(template_library::majority(), image, silent, 0);
   for (int c = static_cast<int>(SurfaceClass::Facing); c <= static_cast<int>(SurfaceClass::Oblique); ++c) {
     const auto wanted = static_cast<SurfaceClass>(c);
-    Grid<double> image(classes.rows(), classes.cols());
     bool any = false;
     for (size_t o = 0; o < image.size(); ++o) {
       image[o] = !isSurface(before[o]) ? 0 : before[o] == wanted ? 1 : -1;
       any = any || image[o] > 0;
     }
     if (!any) continue;
-    TemplateNetwork network(template_library::majority(), image,
-                            Grid<double>(classes.rows(), classes.cols(), 0.0), 0);
+    network.restart(image);
     for (int t = 0; t < kSteps; ++t) network.stepDiscrete(execution);
     for (size_t o = 0; o < image.size(); ++o) {
       if (!isSurface(before[o])) continue;

@@ -164,10 +164,14 @@ PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, c
   PlaneImage image;
   image.labels = Grid<PlaneLabel>(points.range.rows(), points.range.cols(), kNoPlane);
   std::vector<PlaneLabel> labelOf(members.size(), kNoPlane);
-  for (size_t l = 0; l < members.size(); ++l) {
-    throwIfStopped(execution);
+  struct Object {
+    Plane plane;
+    std::string note;
+  };
+  std::vector<Object> objects(members.size());
+  auto fitMembers = [&](size_t l) {
     const Members& m = members[l];
-    if (m.points.size() < 3 || regions.size[l] == 0) continue;
+    if (m.points.size() < 3 || regions.size[l] == 0) return;
     Expected<FittedPlane> fit = fitTotalLeastSquares(m.moments);
     Plane plane;
     plane.label = labelBase + 1 + static_cast<PlaneLabel>(m.first);
@@ -180,11 +184,11 @@ PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, c
         paper->offset += paper->normal.dot(points.sensor);
         fit = paper;
       } else {
-        image.notes.push_back("plane " + std::to_string(plane.label) + ": " + paper.error().message() +
-                              "; total least squares used");
+        objects[l].note = "plane " + std::to_string(plane.label) + ": " + paper.error().message() +
+                          "; total least squares used";
       }
     }
-    if (!fit) continue;
+    if (!fit) return;
     if (fit->normal.dot(points.sensor) < fit->offset) fit->normal = -fit->normal, fit->offset = -fit->offset;
     plane.normal = fit->normal;
     plane.offset = fit->offset;
@@ -196,7 +200,17 @@ PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, c
     plane.surfaceClass = classOfDirection(plane.normal, facing, classToleranceDeg);
     plane.hull = convexHull(m.points, plane);
     labelOf[l] = plane.label;
-    image.planes.push_back(std::move(plane));
+    objects[l].plane = std::move(plane);
+  };
+  parallelRows(
+      static_cast<int>(members.size()), execution,
+      [&](int begin, int end) {
+        for (int l = begin; l < end; ++l) fitMembers(static_cast<size_t>(l));
+      },
+      1);
+  for (size_t l = 0; l < objects.size(); ++l) {
+    if (!objects[l].note.empty()) image.notes.push_back(std::move(objects[l].note));
+    if (labelOf[l] != kNoPlane) image.planes.push_back(std::move(objects[l].plane));
   }
   for (size_t o = 0; o < image.labels.size(); ++o)
     if (regions.region[o] != kNoRegion) image.labels[o] = labelOf[static_cast<size_t>(regions.region[o])];
