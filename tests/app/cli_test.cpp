@@ -455,10 +455,10 @@ TEST_F(Cli, BenchTellsTimesPeersAndGoals) {
 }
 
 TEST_F(Cli, InfoEstimatesTheScansNoise) {
-  ASSERT_EQ(run("simulate scene.json -o n.pcd --noise none").status, 0);
   const char* const fine = R"({"name": "hall", "scanner": {"position": [0, 0, 1], "lines": 120, "beams": 181},
     "items": [{"shape": "room", "base": [0, 0, 0], "size": [6, 5, 3]}]})";
   write("hall.json", fine);
+  ASSERT_EQ(run("simulate hall.json -o n.pcd --noise none").status, 0);
   for (const double sigma : {0.005, 0.015}) {
     ASSERT_EQ(run("simulate hall.json -o s.pcd --sigma " + std::to_string(sigma)).status, 0);
     EXPECT_NEAR(json::parse(run("info s.pcd --json").out)["noise"].get<double>(), sigma, 0.2 * sigma);
