@@ -4,7 +4,9 @@
 // known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "evaluate/bench_goals.h"

@@ -4,6 +4,7 @@
 // against its number of points, obstacles of 0.2 m and 2 m), each beside what theory says of Gaussian ranges.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
