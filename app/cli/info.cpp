@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,7 +8,10 @@
 #include "app/cli/command.h"
 #include "app/cli/param_options.h"
 #include "app/cli/text_table.h"
+#include "base/units.h"
 #include "io/scan_io.h"
+#include "layers/point_layer.h"
+#include "layers/range_noise.h"
 #include "scan/scan_summary.h"
 
 namespace stratascope::cli {
@@ -31,6 +35,12 @@ Json latticeJson(const Scan& scan) {
           {"origin", latticeOriginName(scan.latticeOrigin)}};
 }
 
+/// The scan's own range noise, metres; NaN where too few returns tell, or where the lattice was made by
+/// projection, so that its lines are no lines of a scanner.
+double rangeNoise(const Scan& scan) {
+  return scan.unordered() ? kNaN : estimateRangeNoise(computePoints(scan, {})).overall();
+}
+
 std::string asJson(const Scan& scan, const ScanSummary& summary) {
   const Eigen::Isometry3d sensor = scan.pose.map_T_sensor();
   const RollPitchYaw angles = rollPitchYaw(sensor.linear());
@@ -45,6 +55,8 @@ std::string asJson(const Scan& scan, const ScanSummary& summary) {
   document["bounds"] = nullptr;
   if (summary.bounds)
     document["bounds"] = {{"min", array(summary.bounds->min())}, {"max", array(summary.bounds->max())}};
+  const double noise = rangeNoise(scan);
+  document["noise"] = std::isnan(noise) ? Json(nullptr) : Json(noise);
   document["fields"] = scan.fields;
   document["sensor_pose"] = {{"position", array(sensor.translation())},
                              {"roll", angles.rollDeg},
@@ -79,6 +91,10 @@ std::string asText(const Scan& scan, const ScanSummary& summary) {
   line("bounds", summary.bounds ? fixed(summary.bounds->min(), 3) + " to " + fixed(summary.bounds->max(), 3) +
                                       " m, map frame"
                                 : "none");
+  const double noise = rangeNoise(scan);
+  line("noise", std::isnan(noise)
+                    ? "unknown"
+                    : fixed(1e3 * noise, 1) + " mm, standard deviation of a range, estimated from the scan");
   line("fields", fields);
   line("sensor", "at " + fixed(sensor.translation(), 3) + " m, roll " + fixed(angles.rollDeg, 2) + " pitch " +
                      fixed(angles.pitchDeg, 2) + " yaw " + fixed(angles.yawDeg, 2) + " degrees");

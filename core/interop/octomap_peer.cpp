@@ -39,7 +39,6 @@ PeerMap octomapEndPoints(const PointImage& points, double resolution) {
   octomap::OcTree tree(resolution);
   for (const octomap::point3d& p : cloud) tree.updateNode(p, true, true);
   tree.updateInnerOccupancy();
-  tree.prune();
   const double seconds = watch.seconds();
   return {tree.memoryUsage(), seconds};
 }

@@ -125,7 +125,7 @@ protected:
 
 TEST_F(Cli, HelpAndVersionAreResults) {
   for (const std::string arguments : {"--help", "--version", "info --help", "process --help",
-                                      "convert --help", "simulate --help", "score --help"}) {
+                                      "convert --help", "simulate --help", "score --help", "bench --help"}) {
     const Result r = run(arguments);
     EXPECT_EQ(r.status, 0) << arguments;
     EXPECT_NE(r.out, "") << arguments;
@@ -377,4 +377,92 @@ TEST_F(Cli, ADirectoryOfUosScansIsASet) {
   EXPECT_TRUE(inputs[0]["path"].get<std::string>().ends_with("scan000.3d"));
   EXPECT_EQ(inputs[0]["lines"], 226);
   EXPECT_EQ(inputs[0]["beams"], 360);
+}
+
+TEST_F(Cli, PiecesOfTheTruthAreTakenApartOnRequest) {
+  // Two strips of label 10 with four empty columns between them, found as two planes.
+  std::string header =
+      "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 24\nHEIGHT 20\n"
+      "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 480\nDATA ascii\n";
+  std::string truth = header, found = header;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 24; ++j) {
+      const bool strip = j < 10 || j >= 14;
+      const std::string at = std::to_string(j) + " " + std::to_string(i) + " 0 ";
+      truth += at + (strip ? "10\n" : "0\n");
+      found += at + (!strip ? "0\n" : j < 10 ? "1\n" : "2\n");
+    }
+  write("truth.pcd", truth);
+  write("found.pcd", found);
+  const json whole = json::parse(run("score found.pcd truth.pcd --json").out);
+  EXPECT_EQ(whole["truth_regions"], 1);
+  EXPECT_EQ(whole["over"], 1);
+  const json pieces = json::parse(run("score found.pcd truth.pcd --pieces --json").out);
+  EXPECT_EQ(pieces["truth_regions"], 2);
+  EXPECT_EQ(pieces["correct"], 2);
+  expectRefused("score found.pcd truth.pcd --table", 2, {"--table"});
+  expectRefused("score found.pcd", 2, {"TRUTH"});
+}
+
+TEST_F(Cli, ScoreTableIsOneDocument) {
+  const Result r =
+      run("score --table --only rooms --seeds 1 --check-seeds 11 --against none --json --threads 2");
+  ASSERT_EQ(r.status, 0) << r.err;
+  const json table = json::parse(r.out);
+  EXPECT_EQ(table["methods"], json({"stratascope"}));
+  ASSERT_EQ(table["scans"].size(), 4u);  // two seeds at two sigmas
+  ASSERT_EQ(table["groups"].size(), 4u);
+  for (const json& row : table["groups"]) {
+    EXPECT_EQ(row["scans"], 1);
+    EXPECT_GT(row["correct"].get<int>(), row["truth_regions"].get<int>() / 2) << row;
+    EXPECT_GT(row["normal_within_10_deg"].get<double>(), 0.9);
+    EXPECT_LT(row["normal_angle_median_deg"].get<double>(), 0.5);
+  }
+  const std::string text = run("score --table --only synpeb --against none --scans nowhere").err;
+  EXPECT_NE(text.find("SynPEB pc_01: left out"), std::string::npos) << text;
+}
+
+TEST_F(Cli, BenchTellsTimesPeersAndGoals) {
+  ASSERT_EQ(run("simulate scene.json -o a.pcd --truth t.pcd").status, 0);
+  const Result r = run("bench a.pcd --truth t.pcd --json --runs 1 --threads 2");
+  ASSERT_EQ(r.status, 0) << r.err;
+  const json bench = json::parse(r.out);
+  EXPECT_EQ(bench["neurons"], 40 * 61);
+  EXPECT_EQ(bench["threads"], 2);
+  EXPECT_EQ(bench["same_bits"], true);
+  for (const char* key : {"points", "normals", "planes", "intervals", "pipeline", "pipeline_one_thread"})
+    EXPECT_GT(bench["seconds"][key].get<double>(), 0) << key;
+  EXPECT_GT(bench["normals"]["within_10_deg"].get<double>(), 0.5);
+  ASSERT_EQ(bench["processes"].size(), 1u);
+  EXPECT_GT(bench["processes"][0]["peak_bytes"].get<double>(), 40 * 61 * 12.0);
+  // only what changed ran again
+  ASSERT_EQ(bench["changes"].size(), 3u);
+  EXPECT_EQ(bench["changes"][0]["stages"], json({"intervals", "objects"}));
+  EXPECT_EQ(bench["changes"][1]["stages"], json({"cells", "height_map", "intervals", "objects"}));
+  EXPECT_EQ(bench["changes"][2]["stages"], json({"normals", "classes", "planes", "edges", "objects"}));
+  EXPECT_FALSE(bench["goals"].empty());
+  std::set<std::string> peers;
+  for (const json& peer : bench["peers"]) peers.insert(peer["key"]);
+  // a peer is there, or is said not to be
+  const std::string notes = bench["notes"].dump();
+  EXPECT_TRUE(peers.count("pcl_radius_normals") || notes.find("PCL is not built in") != std::string::npos);
+  EXPECT_TRUE(peers.count("octomap_rays") || notes.find("OctoMap is not built in") != std::string::npos);
+
+  expectRefused("bench a.pcd --truth room.pcd", 1, {"room.pcd"});
+  expectRefused("bench --truth t.pcd", 2, {"--truth"});
+  expectRefused("bench a.pcd --scale", 2, {"--scale"});
+  expectRefused("bench absent.pcd", 1, {"absent.pcd"});
+}
+
+TEST_F(Cli, InfoEstimatesTheScansNoise) {
+  const char* const fine = R"({"name": "hall", "scanner": {"position": [0, 0, 1], "lines": 120, "beams": 181},
+    "items": [{"shape": "room", "base": [0, 0, 0], "size": [6, 5, 3]}]})";
+  write("hall.json", fine);
+  ASSERT_EQ(run("simulate hall.json -o n.pcd --noise none").status, 0);
+  for (const double sigma : {0.005, 0.015}) {
+    ASSERT_EQ(run("simulate hall.json -o s.pcd --sigma " + std::to_string(sigma)).status, 0);
+    EXPECT_NEAR(json::parse(run("info s.pcd --json").out)["noise"].get<double>(), sigma, 0.2 * sigma);
+  }
+  EXPECT_NE(run("info s.pcd").out.find("noise"), std::string::npos);
+  EXPECT_LT(json::parse(run("info n.pcd --json").out)["noise"].get<double>(), 0.002);
 }
