@@ -26,13 +26,13 @@ struct ScoreArguments {
 };
 
 /// Needs a lattice: pieces are told by neighbourhood.
-Status splitTruth(const std::string& path, LabelledCloud& truth) {
+Status splitTruth(const std::string& path, const LabelledCloud& found, double overlap, LabelledCloud& truth) {
   if (truth.lines < 2)
     return Error{path, "HEIGHT", "no lattice, so --pieces cannot tell what is connected",
                  "give truth as lines x beams, or leave --pieces out"};
   Grid<std::uint32_t> labels(truth.lines, truth.beams);
   std::copy(truth.labels.begin(), truth.labels.end(), labels.values().begin());
-  const Grid<std::uint32_t> pieces = splitIntoVisiblePieces(labels);
+  const Grid<std::uint32_t> pieces = piecesAsFound(labels, found.labels, overlap);
   truth.labels.assign(pieces.values().begin(), pieces.values().end());
   return success();
 }
@@ -104,7 +104,7 @@ Status score(const ScoreArguments& arguments) {
                  size(*found) + " points, but the truth " + arguments.truth + " has " + size(*truth),
                  "both must be of the same scan, point by point"};
   if (arguments.pieces)
-    if (const Status split = splitTruth(arguments.truth, *truth); !split) return split;
+    if (const Status split = splitTruth(arguments.truth, *found, arguments.overlap, *truth); !split) return split;
   const ScoreInput input{.foundLabels = found->labels,
                          .truthLabels = truth->labels,
                          .foundNormals = found->normals,
@@ -133,7 +133,8 @@ void addScore(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag(
       "--pieces", arguments->pieces,
-      "Split true planes into the pieces the scanner sees: a wall on both sides of a pillar is two");
+      "Split true planes into the pieces the scanner sees: a wall on both sides of a pillar may be found as "
+      "two, or as one");
   command->add_flag("--json", arguments->json, "One JSON document on standard output");
   command->add_flag(
       "--table", arguments->table,

@@ -86,7 +86,11 @@ std::optional<NormalQuality> normalQuality(const TrueScan& truth, std::span<cons
 
 std::optional<std::size_t> correctPlanes(const TrueScan& truth, std::span<const std::uint32_t> labels) {
   if (truth.labels.empty()) return std::nullopt;
-  return scoreSegmentation(scoreInput(truth, labels, {})).correct;
+  ScoreInput input = scoreInput(truth, labels, {});
+  const ScoreOptions options;
+  const Grid<std::uint32_t> truthLabels = truth.labelsFor(labels, options.overlap);
+  input.truthLabels = truthLabels.values();
+  return scoreSegmentation(input, options).correct;
 }
 
 std::vector<BenchChange> measureChanges(const TrueScan& scan, const BenchOptions& options, int threads) {

@@ -17,8 +17,7 @@ namespace {
 
 TrueScan simulated(const Scene& scene, const SimulationOptions& options, const Execution& execution) {
   SimulatedScan scan = simulateScan(scene, options, execution);
-  return {std::make_shared<const Scan>(std::move(scan.scan)), splitIntoVisiblePieces(scan.truthLabels),
-          std::move(scan.truthNormals)};
+  return {std::make_shared<const Scan>(std::move(scan.scan)), std::move(scan.truthLabels), std::move(scan.truthNormals), true};
 }
 
 Expected<TrueScan> synpeb(const std::string& path) {
@@ -63,28 +62,34 @@ void addSamples(ScoreCases& all) {
   }
 }
 
-void addRooms(const char* purpose, const std::vector<std::uint64_t>& seeds, double sigma, ScoreCases& all) {
+void addRooms(RoomKind kind, const char* purpose, const std::vector<std::uint64_t>& seeds, double sigma,
+              ScoreCases& all) {
   const std::string noise = "σ " + std::to_string(std::lround(1000 * sigma)) + " mm";
   std::string list;
   for (const std::uint64_t seed : seeds) list += (list.empty() ? "" : ",") + std::to_string(seed);
   for (const std::uint64_t seed : seeds)
     all.cases.push_back(
-        {"rooms " + noise + ", " + purpose + " " + list, "room " + std::to_string(seed) + " " + noise,
-         [seed, sigma](const Execution& execution) -> Expected<TrueScan> {
-           return simulated(randomRoom(seed), {.seed = seed, .sigma = sigma, .systematic = 0}, execution);
+        {std::string(kind == RoomKind::Plain ? "plain" : "furnished") + " rooms " + noise + ", " + purpose + " " + list, "room " + std::to_string(seed) + " " + noise,
+         [kind, seed, sigma](const Execution& execution) -> Expected<TrueScan> {
+           return simulated(randomRoom(seed, kind), {.seed = seed, .sigma = sigma, .systematic = 0}, execution);
          }});
 }
 
 }  // namespace
 
+Grid<std::uint32_t> TrueScan::labelsFor(std::span<const std::uint32_t> found, double overlap) const {
+  return wholePlanes ? piecesAsFound(labels, found, overlap) : labels;
+}
+
 ScoreCases scoreCases(const ScoreCaseSelection& selection) {
   ScoreCases all;
   addSynpeb(selection.scansFolder, all);
   if (selection.samples) addSamples(all);
-  for (const double sigma : selection.sigmas) {
-    addRooms("tuning seeds", selection.tuningSeeds, sigma, all);
-    addRooms("checking seeds", selection.checkingSeeds, sigma, all);
-  }
+  for (const RoomKind kind : {RoomKind::Plain, RoomKind::Furnished})
+    for (const double sigma : selection.sigmas) {
+      addRooms(kind, "tuning seeds", selection.tuningSeeds, sigma, all);
+      addRooms(kind, "checking seeds", selection.checkingSeeds, sigma, all);
+    }
   return all;
 }
 

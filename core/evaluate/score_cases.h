@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <span>
 #include <vector>
 
 #include "base/expected.h"
@@ -19,6 +20,10 @@ struct TrueScan {
   ScanPtr scan;
   Grid<std::uint32_t> labels;     ///< >= 10 a plane
   Grid<Eigen::Vector3f> normals;  ///< unit, toward the sensor; empty where truth has labels only
+  bool wholePlanes = false;       ///< labels are of whole planes, to be scored by their visible pieces
+
+  /// The labels to score found ones (lattice order) against.
+  Grid<std::uint32_t> labelsFor(std::span<const std::uint32_t> found, double overlap) const;
 };
 
 /// A scan to be measured on, made only when it is asked for.
@@ -42,7 +47,7 @@ struct ScoreCases {
   std::vector<std::string> notes;  ///< what is left out, and why
 };
 
-/// Simulated truth is split into visible pieces; SynPEB's is so already. Rooms have random noise only: a
+/// Simulated truth is of whole planes, scored by visible pieces; SynPEB's is of pieces already. Rooms have random noise only: a
 /// systematic error moves a wall and is no matter of segmentation.
 ScoreCases scoreCases(const ScoreCaseSelection& selection);
 

@@ -18,7 +18,8 @@ Measured scoreOf(const std::string& name, const TrueScan& truth, Method method, 
                  const ScoreOptions& options) {
   ScoreInput input;
   input.foundLabels = found.labels.values();
-  input.truthLabels = truth.labels.values();
+  const Grid<std::uint32_t> truthLabels = truth.labelsFor(input.foundLabels, options.overlap);
+  input.truthLabels = truthLabels.values();
   input.foundNormals = found.normals.values();
   input.truthNormals = truth.normals.values();
   input.foundPoints = truth.scan->lattice->points().values();
@@ -36,6 +37,7 @@ Measured scoreOf(const std::string& name, const TrueScan& truth, Method method, 
   row.under = score.under;
   row.missed = score.missed;
   row.noise = score.noise;
+  row.small = score.small;
   row.share = score.share;
   row.planeAngleMeanDeg = score.planeAngleMeanDeg;
   row.normalSeconds = found.normalSeconds;
@@ -65,6 +67,7 @@ void addTo(Measured& sum, const Measured& one) {
   a.under += b.under;
   a.missed += b.missed;
   a.noise += b.noise;
+  a.small += b.small;
   a.normals.add(b.normals);
   sum.angleSumDeg += one.angleSumDeg;
   sum.angles += one.angles;

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include "base/expected.h"
@@ -41,6 +42,20 @@ Overlaps overlapsOf(const ScoreInput& input, size_t minTruthPixels) {
     ++overlaps.byFound[found][truth];
   }
   return overlaps;
+}
+
+/// Found regions that would be correct if true regions below the smallest size counted.
+std::set<Label> matchesOfSmall(const ScoreInput& input, const Overlaps& counted, const ScoreOptions& options) {
+  const Overlaps all = overlapsOf(input, 1);
+  std::set<Label> matches;
+  for (const auto& [truth, shared] : all.byTruth) {
+    if (counted.truthSize.contains(truth)) continue;
+    for (const auto& [found, pixels] : shared)
+      if (static_cast<double>(pixels) >= options.overlap * static_cast<double>(all.truthSize.at(truth)) &&
+          static_cast<double>(pixels) >= options.overlap * static_cast<double>(all.foundSize.at(found)))
+        matches.insert(found);
+  }
+  return matches;
 }
 
 /// One region on one side in two or more pieces on the other.
@@ -210,7 +225,9 @@ SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions&
     if (verdict == RegionVerdict::Missed) ++score.missed;
   }
   if (truthPixels > 0) score.share = static_cast<double>(correctPixels) / static_cast<double>(truthPixels);
+  const std::set<Label> small = matchesOfSmall(input, overlaps, options);
   for (const auto& [found, size] : overlaps.foundSize) {
+    if (small.contains(found) && score.ofFound.try_emplace(found, RegionVerdict::Small).second) ++score.small;
     if (!score.ofFound.try_emplace(found, RegionVerdict::Noise).second) continue;
     ++score.noise;
     size_t onCounted = 0;

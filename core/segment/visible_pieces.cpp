@@ -3,6 +3,7 @@
 #include "segment/visible_pieces.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include "segment/score.h"
@@ -37,6 +38,38 @@ Grid<std::uint32_t> splitIntoVisiblePieces(const Grid<std::uint32_t>& truthLabel
         }
     }
   }
+  return pieces;
+}
+
+Grid<std::uint32_t> piecesAsFound(const Grid<std::uint32_t>& truthLabels, std::span<const std::uint32_t> found,
+                                  double overlap) {
+  require(found.size() == truthLabels.size(), "piecesAsFound: different numbers of pixels");
+  Grid<std::uint32_t> pieces = splitIntoVisiblePieces(truthLabels);
+  std::map<std::uint32_t, std::uint32_t> planeOf, standsFor;
+  std::map<std::uint32_t, std::size_t> size;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> shared;  // found region, piece
+  for (size_t o = 0; o < pieces.size(); ++o) {
+    if (truthLabels[o] < kFirstTruthPlane) continue;
+    planeOf[pieces[o]] = truthLabels[o];
+    standsFor[pieces[o]] = pieces[o];
+    ++size[pieces[o]];
+    if (found[o] != 0) ++shared[{found[o], pieces[o]}];
+  }
+  const auto rootOf = [&](std::uint32_t piece) {
+    while (standsFor.at(piece) != piece) piece = standsFor.at(piece);
+    return piece;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> firstOf;  // found region, true plane
+  for (const auto& [pair, pixels] : shared) {
+    const auto [region, piece] = pair;
+    if (static_cast<double>(pixels) < overlap * static_cast<double>(size.at(piece))) continue;
+    const auto [first, isFirst] = firstOf.try_emplace({region, planeOf.at(piece)}, piece);
+    if (isFirst) continue;
+    const std::uint32_t a = rootOf(first->second), b = rootOf(piece);
+    standsFor[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::uint32_t& piece : pieces.values())
+    if (piece >= kFirstTruthPlane) piece = rootOf(piece);
   return pieces;
 }
 

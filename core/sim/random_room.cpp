@@ -10,7 +10,7 @@ namespace {
 
 class RoomMaker {
 public:
-  explicit RoomMaker(std::uint64_t seed) : noise_(seed) {
+  RoomMaker(std::uint64_t seed, RoomKind kind) : noise_(seed), plain_(kind == RoomKind::Plain) {
     scene_.name = "random room " + std::to_string(seed);
   }
 
@@ -26,7 +26,7 @@ public:
     while (y < size_.y() - 1.2) {
       const double width = between(0.7, 1.4);
       const double depth = between(0.35, 0.6);
-      if (chance(0.5))
+      if (chance(0.5) || plain_)
         box("cabinet", {size_.x() - depth - wallClear, y, 0}, {depth, width, between(0.7, 2.0)});
       else
         shelf({size_.x() - depth - wallClear, y, 0}, {depth, width, between(1.2, 2.1)});
@@ -38,7 +38,7 @@ public:
       while (x < size_.x() - 1.8) {
         const double length = between(0.8, 1.6), depth = between(0.5, 0.8);
         const double at = left ? size_.y() - depth - wallClear : wallClear;
-        if (chance(0.55))
+        if (chance(0.55) && !plain_)
           table({x, at, 0}, {length, depth, between(0.68, 0.78)});
         else
           box("chest", {x, at, 0}, {length, depth, between(0.4, 1.5)});
@@ -116,6 +116,7 @@ private:
 
   Scene scene_;
   CounterNoise noise_;
+  bool plain_;
   std::uint64_t draw_ = 0;
   Eigen::Vector3d size_;
   Eigen::Vector2d robot_;
@@ -124,8 +125,8 @@ private:
 
 }  // namespace
 
-Scene randomRoom(std::uint64_t seed) {
-  return RoomMaker(seed).make();
+Scene randomRoom(std::uint64_t seed, RoomKind kind) {
+  return RoomMaker(seed, kind).make();
 }
 
 }  // namespace stratascope
