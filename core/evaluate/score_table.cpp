@@ -37,7 +37,7 @@ Measured scoreOf(const std::string& name, const TrueScan& truth, Method method, 
   row.under = score.under;
   row.missed = score.missed;
   row.noise = score.noise;
-  row.small = score.small;
+  row.noiseSmall = score.noiseSmall;
   row.share = score.share;
   row.planeAngleMeanDeg = score.planeAngleMeanDeg;
   row.normalSeconds = found.normalSeconds;
@@ -67,7 +67,7 @@ void addTo(Measured& sum, const Measured& one) {
   a.under += b.under;
   a.missed += b.missed;
   a.noise += b.noise;
-  a.small += b.small;
+  a.noiseSmall += b.noiseSmall;
   a.normals.add(b.normals);
   sum.angleSumDeg += one.angleSumDeg;
   sum.angles += one.angles;

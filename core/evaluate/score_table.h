@@ -19,7 +19,7 @@ struct ScoreRow {
   Method method = Method::Stratascope;
   std::size_t scans = 0, truthRegions = 0, foundRegions = 0;
   std::size_t correct = 0, over = 0, under = 0, missed = 0, noise = 0;
-  std::size_t small = 0;                    ///< found regions that match true ones too small to count
+  std::size_t noiseSmall = 0;               ///< of noise: match true regions too small to count
   double share = 0;                         ///< of truth pixels in correct regions, mean of the scans
   std::optional<double> planeAngleMeanDeg;  ///< over all correct planes
   double normalSeconds = 0, seconds = 0;    ///< of one run, mean of the scans

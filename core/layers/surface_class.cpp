@@ -108,7 +108,7 @@ public:
   /// An edge class, or Unknown if the neuron is on no edge.
   SurfaceClass operator()(GridIndex at) const {
     if (!valid(at)) return SurfaceClass::Unknown;
-    SurfaceClass crease = SurfaceClass::Unknown;
+    float opening = 0;
     const LatticeSteps::Step step = points_.steps.at(at);
     const float diagonal = std::sqrt(step.line * step.line + step.beam * step.beam);
     const auto noise = static_cast<float>(6 * points_.noise.sigmaAt(points_.range(at)));
@@ -125,9 +125,9 @@ public:
         const float angle = d.row == 0 ? step.beam : d.col == 0 ? step.line : diagonal;
         if (isJump(at, to, angle, noise)) return SurfaceClass::JumpEdge;
       }
-      if (normal.dot(normals_.normals[n]) < cosParallel_) crease = creaseBetween(at, to, d);
+      if (normal.dot(normals_.normals[n]) < cosParallel_) opening += openingBetween(at, to, d);
     }
-    if (crease != SurfaceClass::Unknown || known(normals_.normals(at))) return crease;
+    if (opening != 0 || known(normals_.normals(at))) return creaseOf(opening);
     // No window fits a neuron right on a crease: look at the surfaces on both sides of it.
     for (size_t d = 0; d < 4; ++d)
       for (int reach : {1, 2}) {
@@ -136,10 +136,9 @@ public:
         const GridIndex b{at.row - reach * kLatticeDirections[d].row,
                           at.col - reach * kLatticeDirections[d].col};
         if (!valid(a) || !valid(b)) continue;
-        const SurfaceClass c = creaseBetween(a, b, {-kLatticeDirections[d].row, -kLatticeDirections[d].col});
-        if (c != SurfaceClass::Unknown) return c;
+        opening += openingBetween(a, b, {-kLatticeDirections[d].row, -kLatticeDirections[d].col});
       }
-    return SurfaceClass::Unknown;
+    return creaseOf(opening);
   }
 
 private:
@@ -160,14 +159,17 @@ private:
     return (points_.points(a) - points_.points(b)).squaredNorm() > allowed * allowed;
   }
 
-  // `b` lies from `a` in that direction. Right at the crease noise hides which way it opens, so the points are
-  // taken a little farther out on both surfaces.
-  SurfaceClass creaseBetween(GridIndex a, GridIndex b, GridIndex direction) const {
+  // By how much the normals of two surfaces open, (n₂ − n₁)·(p₂ − p₁): above 0 convex, below concave, 0 no
+  // crease. `b` lies from `a` in that direction. Right at the crease noise puts neurons on the wrong side, so the
+  // points are taken a little farther out on both surfaces, and all pairs around a neuron add up.
+  float openingBetween(GridIndex a, GridIndex b, GridIndex direction) const {
     const Eigen::Vector3f &n1 = normals_.normals(a), &n2 = normals_.normals(b);
-    if (!known(n1) || !known(n2) || n1.dot(n2) >= cosParallel_) return SurfaceClass::Unknown;
-    const Eigen::Vector3f p1 = points_.points(farther(a, {-direction.row, -direction.col})),
-                          p2 = points_.points(farther(b, direction));
-    return (n2 - n1).dot(p2 - p1) > 0 ? SurfaceClass::ConvexEdge : SurfaceClass::ConcaveEdge;
+    if (!known(n1) || !known(n2) || n1.dot(n2) >= cosParallel_) return 0;
+    return (n2 - n1).dot(points_.points(farther(b, direction)) -
+                         points_.points(farther(a, {-direction.row, -direction.col})));
+  }
+  static SurfaceClass creaseOf(float opening) {
+    return opening > 0 ? SurfaceClass::ConvexEdge : opening < 0 ? SurfaceClass::ConcaveEdge : SurfaceClass::Unknown;
   }
 
   // Up to three neurons on, while the surface stays the same.

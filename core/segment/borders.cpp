@@ -77,7 +77,7 @@ private:
         Side& total = sides[pair];
         total.sum += side.sum, total.count += side.count;
       }
-    constexpr double kFewest = 6;
+    constexpr double kFewest = 3;
     for (const auto& [pair, side] : sides) {
       if (pair.first > pair.second || kinds_.contains(pair)) continue;
       const auto back = sides.find({pair.second, pair.first});

@@ -227,9 +227,9 @@ SegmentationScore scoreSegmentation(const ScoreInput& input, const ScoreOptions&
   if (truthPixels > 0) score.share = static_cast<double>(correctPixels) / static_cast<double>(truthPixels);
   const std::set<Label> small = matchesOfSmall(input, overlaps, options);
   for (const auto& [found, size] : overlaps.foundSize) {
-    if (small.contains(found) && score.ofFound.try_emplace(found, RegionVerdict::Small).second) ++score.small;
     if (!score.ofFound.try_emplace(found, RegionVerdict::Noise).second) continue;
     ++score.noise;
+    if (small.contains(found)) ++score.noiseSmall;
     size_t onCounted = 0;
     if (const auto shared = overlaps.byFound.find(found); shared != overlaps.byFound.end())
       for (const auto& [truth, pixels] : shared->second) onCounted += pixels;

@@ -34,14 +34,7 @@ struct ScoreOptions {
 };
 
 /// How a true and a found region came to be counted.
-enum class RegionVerdict : std::uint8_t {
-  Correct,
-  Over,
-  Under,
-  Missed,
-  Noise,
-  Small,  ///< a found region that matches a true one too small to count: neither right nor wrong
-};
+enum class RegionVerdict : std::uint8_t { Correct, Over, Under, Missed, Noise };
 
 struct CorrectPair {
   std::uint32_t truth = 0, found = 0;
@@ -54,7 +47,7 @@ struct CorrectPair {
 ///   correct  O >= T|M| and O >= T|G|
 ///   over     one G, two or more M: every O >= T|M|, and their sum >= T|G|
 ///   under    one M, two or more G: every O >= T|G|, and their sum >= T|M|
-///   missed   G in none of these; noise: M in none of these (and no match of a G too small to count)
+///   missed   G in none of these; noise: M in none of these
 /// A region that could stand in several stands in the one with the highest score, the mean of the two overlap
 /// fractions (over and under: of the mean share of the pieces and the share of the sum); on equal scores
 /// correct before over before under.
@@ -65,7 +58,7 @@ struct SegmentationScore {
   std::size_t under = 0;         ///< found regions that join true ones
   std::size_t missed = 0;        ///< true regions
   std::size_t noise = 0;         ///< found regions
-  std::size_t small = 0;         ///< found regions that match a true one below minTruthPixels as a correct one would
+  std::size_t noiseSmall = 0;    ///< of these, regions that match a true one too small to count
   std::size_t noiseOutside = 0;  ///< of these, regions with more than half their pixels on truth that is not
                                  ///< counted (small, curved, nothing)
   /// Pixels of correctly found true regions / pixels of all true regions; 0 without regions.
