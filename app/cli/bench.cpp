@@ -25,6 +25,7 @@ namespace {
 struct BenchArguments {
   std::string scan, truth;
   std::vector<std::string> against;
+  std::vector<double> times = {10, 50};
   int runs = 7;
   bool json = false, scale = false, costOnly = false;
   ParamOptions params;
@@ -81,7 +82,7 @@ Expected<std::vector<ProcessCost>> measureCosts(const BenchArguments& arguments,
   std::vector<ProcessCost> costs{*own};
   if (!arguments.scale) return costs;
   std::vector<std::pair<int, int>> sizes;
-  for (const double times : {10.0, 50.0})
+  for (const double times : arguments.times)
     sizes.emplace_back(static_cast<int>(std::lround(std::sqrt(times) * own->lines)),
                        static_cast<int>(std::lround(std::sqrt(times) * own->beams)));
   for (const auto& [lines, beams] : sizes) {
@@ -160,9 +161,12 @@ void addBench(CLI::App& app, Action& action) {
   command->add_option("--runs", arguments->runs, "Runs, of which the median is told")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_flag(
-      "--scale", arguments->scale,
-      "Also lattices 10 and 50 times as large, up to 3642 x 2553: needs 2 GiB and some minutes");
+  command->add_flag("--scale", arguments->scale,
+                    "Also larger lattices of the same scene: some GiB and some minutes");
+  command->add_option("--times", arguments->times, "With --scale: how many times as large")
+      ->delimiter(',')
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "One JSON document on standard output");
   command->add_flag("--cost-only", arguments->costOnly)->group("");
   arguments->params.addTo(*command);

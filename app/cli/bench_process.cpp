@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -83,20 +84,23 @@ Status printCost(const std::string& file, const Settings& settings, const Execut
   auto read = readScan(file);
   if (!read) return read.error();
   const ScanPtr scan = std::make_shared<const Scan>(std::move(*read));
-  std::vector<double> seconds;
+  std::vector<double> seconds, processor;
   std::size_t peak = 0;
   for (int run = 0; run < runs; ++run) {
     const Stopwatch watch;
+    const std::clock_t before = std::clock();
     Pipeline pipeline;
     pipeline.setScans({scan});
     const auto result = pipeline.run(settings.params, execution);
     if (!result) return result.error();
     seconds.push_back(watch.seconds());
+    processor.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     if (run == 0) peak = residentMemory().peak;
   }
   const Json document = {{"lines", scan->lattice->lines()},
                          {"beams", scan->lattice->beams()},
                          {"seconds", medianOf(seconds)},
+                         {"processor_seconds", medianOf(processor)},
                          {"peak_bytes", peak - std::min(peak, atStart)}};
   std::cout << document.dump() << '\n';
   return success();
@@ -120,6 +124,7 @@ Expected<ProcessCost> costOfProcess(const Scan& scan, const PipelineParams& para
   cost.beams = document.at("beams");
   cost.neurons = static_cast<std::size_t>(cost.lines) * static_cast<std::size_t>(cost.beams);
   cost.seconds = document.at("seconds");
+  cost.processorSeconds = document.at("processor_seconds");
   cost.peakBytes = document.at("peak_bytes");
   return cost;
 }

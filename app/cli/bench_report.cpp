@@ -74,11 +74,13 @@ std::string changesTable(const BenchResult& r) {
 }
 
 std::string costsTable(const std::vector<ProcessCost>& costs) {
-  Rows rows = {{"lattice", "neurons", "ms", "ns/neuron", "peak, file to result", "bytes/neuron"}};
+  Rows rows = {{"lattice", "neurons", "ms", "processor ms", "processor ns/neuron", "peak, file to result",
+                "bytes/neuron"}};
   for (const ProcessCost& c : costs) {
     const auto neurons = static_cast<double>(c.neurons);
     rows.push_back({std::to_string(c.lines) + " x " + std::to_string(c.beams), std::to_string(c.neurons),
-                    milliseconds(c.seconds), fixed(1e9 * c.seconds / neurons, 1), kib(c.peakBytes),
+                    milliseconds(c.seconds), milliseconds(c.processorSeconds),
+                    fixed(1e9 * c.processorSeconds / neurons, 1), kib(c.peakBytes),
                     fixed(static_cast<double>(c.peakBytes) / neurons, 0)});
   }
   return textTable(rows);
@@ -157,6 +159,7 @@ std::string benchJson(const BenchReport& report) {
                                      {"beams", c.beams},
                                      {"neurons", c.neurons},
                                      {"seconds", c.seconds},
+                                     {"processor_seconds", c.processorSeconds},
                                      {"peak_bytes", c.peakBytes}});
   document["goals"] = Json::array();
   for (const BenchGoal& g : benchGoals(r, report.costs))

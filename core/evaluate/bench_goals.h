@@ -26,6 +26,8 @@ struct ProcessCost {
   std::size_t neurons = 0;
   double seconds = 0;         ///< of the pipeline, median
   std::size_t peakBytes = 0;  ///< resident, from file to result, above what the process had at its start
+  /// Of all threads, median: what growth is told by, since other work on the machine does not count.
+  double processorSeconds = 0;
 };
 
 /// Only goals whose figures were measured. `costs`: of this scan, then of larger lattices of the same scene.

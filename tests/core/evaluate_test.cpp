@@ -85,7 +85,8 @@ TEST(BenchGoals, ComeFromTheFiguresBesideThem) {
              {"octomap_end_points", "", 1, 0.6, 3000, {}, {}},
              {"octomap_rays", "", 1, 6.0, 6000, {}, {}}};
   std::map<std::string, BenchGoal> goals;
-  for (const BenchGoal& goal : benchGoals(r, {{10, 10, 100, 1.0, 12000}, {20, 50, 1000, 12.0, 130000}}))
+  for (const BenchGoal& goal :
+       benchGoals(r, {{10, 10, 100, 9.0, 12000, 1.0}, {20, 50, 1000, 9.0, 130000, 12.0}}))
     goals[goal.key] = goal;
   const auto expect = [&](const char* key, double value, bool met) {
     ASSERT_TRUE(goals.count(key)) << key;
