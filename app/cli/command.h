@@ -23,5 +23,6 @@ void addProcess(CLI::App& app, Action& action);
 void addConvert(CLI::App& app, Action& action);
 void addSimulate(CLI::App& app, Action& action);
 void addScore(CLI::App& app, Action& action);
+void addMerge(CLI::App& app, Action& action);
 
 }  // namespace stratascope::cli

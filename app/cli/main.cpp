@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   cli::addConvert(app, action);
   cli::addSimulate(app, action);
   cli::addScore(app, action);
+  cli::addMerge(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

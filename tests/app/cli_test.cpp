@@ -125,7 +125,7 @@ protected:
 
 TEST_F(Cli, HelpAndVersionAreResults) {
   for (const std::string arguments : {"--help", "--version", "info --help", "process --help",
-                                      "convert --help", "simulate --help", "score --help"}) {
+                                      "convert --help", "simulate --help", "score --help", "merge --help"}) {
     const Result r = run(arguments);
     EXPECT_EQ(r.status, 0) << arguments;
     EXPECT_NE(r.out, "") << arguments;
@@ -166,6 +166,9 @@ TEST_F(Cli, BadArgumentsAreStatusTwo) {
   expectRefused("simulate scene.json -o s.pcd --noise loud", 2, {"loud"});
   expectRefused("simulate scene.json -o s.pcd --seed x", 2, {"--seed"});
   expectRefused("score room.pcd room.pcd --overlap 0.4", 2, {"--overlap"});
+  expectRefused("merge -o m", 2, {"MAP"});
+  expectRefused("merge a", 2, {"--out"});
+  expectRefused("merge a -o m --epsilon x", 2, {"--epsilon"});
 }
 
 TEST_F(Cli, BadInputIsStatusOneAndNamesTheFile) {
@@ -241,7 +244,7 @@ TEST_F(Cli, ProcessWritesTheContractsFiles) {
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(listing(work_ / "o/deep"),
             (std::set<std::string>{"cloud.pcd", "planes.json", "edges.json", "height_map.asc",
-                                   "intervals.csv", "run.json"}));
+                                   "intervals.csv", "map.strata", "run.json"}));
   EXPECT_NE(r.out.find("normals"), std::string::npos);
   EXPECT_NE(r.out.find("floor"), std::string::npos) << r.out;
   const json planes = json::parse(contentsOf(work_ / "o/deep/planes.json"));
@@ -302,6 +305,41 @@ TEST_F(Cli, SeveralScansGoIntoOneMap) {
   EXPECT_EQ(json::parse(r.out)["inputs"].size(), 2u);
   EXPECT_TRUE(fs::exists(work_ / "o/cloud.pcd"));
   EXPECT_TRUE(fs::exists(work_ / "o/cloud_1.pcd"));
+}
+
+TEST_F(Cli, MergedRunsAreTheRunOfAllScans) {
+  write("s9.pcd", roomPcd(60, 90));
+  write("s10.pcd", roomPcd(50, 70, "0 0 0.5 1 0 0 0"));
+  const std::string options = " --cell 0.1 --epsilon 0.2 --min-plane-points 30";
+  ASSERT_EQ(run("process s9.pcd --out a" + options).status, 0);
+  ASSERT_EQ(run("process s10.pcd --out b" + options).status, 0);
+  ASSERT_EQ(run("process s9.pcd s10.pcd --out all" + options).status, 0);
+  const Result r = run("merge b a/intervals.csv -o m");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(listing(work_ / "m"),
+            (std::set<std::string>{"height_map.asc", "intervals.csv", "map.strata", "run.json"}));
+  for (const char* name : {"intervals.csv", "height_map.asc", "map.strata"})
+    EXPECT_EQ(contentsOf(work_ / "m" / name), contentsOf(work_ / "all" / name)) << name;
+  ASSERT_EQ(run("merge m -o again.csv").status, 0);
+  EXPECT_EQ(contentsOf(work_ / "again.csv"), contentsOf(work_ / "all/intervals.csv"));
+  const json document = json::parse(run("merge a b -o n.strata --json").out);
+  EXPECT_EQ(document["inputs"].size(), 2u);
+  EXPECT_EQ(document["inputs"][1]["label_base"], 60 * 90);
+  EXPECT_EQ(document["inputs"][1]["parameters"]["min_plane_points"], 30);
+}
+
+TEST_F(Cli, MapsThatDoNotFitAreNotMerged) {
+  ASSERT_EQ(run("process room.pcd --out a").status, 0);
+  ASSERT_EQ(run("process room.pcd --out cells --cell 0.1").status, 0);
+  ASSERT_EQ(run("process room.pcd --out gaps --epsilon 0.3").status, 0);
+  ASSERT_EQ(run("process room.pcd --out rule --intervals paper").status, 0);
+  expectRefused("merge a cells -o m", 1, {"cells/map.strata", "0.1 m", "0.05 m", "--cell"});
+  expectRefused("merge a gaps/intervals.csv -o m", 1, {"gaps/intervals.csv", "0.3 m", "--epsilon"});
+  expectRefused("merge a rule -o m.csv", 1, {"rule/map.strata", "paper", "linked"});
+  expectRefused("merge a absent -o m", 1, {"absent"});
+  expectRefused("merge a room.pcd -o m", 1, {"room.pcd", ".strata"});
+  expectRefused("merge a -o m.png", 1, {"m.png"});
 }
 
 TEST_F(Cli, AFailedRunKeepsTheResultsBefore) {
