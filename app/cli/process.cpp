@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,8 +11,9 @@
 #include "app/cli/progress.h"
 #include "app/cli/scan_arguments.h"
 #include "app/cli/text_table.h"
-#include "io/export.h"
+#include "io/extra_export.h"
 #include "io/file_util.h"
+#include "io/text_lines.h"
 #include "layers/surface_class.h"
 #include "pipeline/pipeline.h"
 
@@ -22,8 +24,31 @@ struct ProcessOptions {
   std::vector<std::string> scans;
   std::string out;
   bool json = false;
+  std::string exports, robotStart;
+  RobotParams robot;
   ParamOptions params;
 };
+
+ExtraOptions extraOptions(const ProcessOptions& options) {
+  ExtraOptions extra;
+  if (!options.exports.empty()) {
+    auto kinds = exportKindsFromText(options.exports);
+    if (!kinds) throw BadArguments("--export: " + kinds.error().what + "; " + kinds.error().remedy);
+    extra.kinds = *std::move(kinds);
+  }
+  extra.robot = options.robot;
+  if (options.robotStart.empty()) return extra;
+  const size_t comma = options.robotStart.find(',');
+  const auto x = numberFromText(std::string_view(options.robotStart).substr(0, comma));
+  const auto y = comma == std::string::npos
+                     ? std::nullopt
+                     : numberFromText(std::string_view(options.robotStart).substr(comma + 1));
+  constexpr double kFarthest = 1e6;
+  if (!x || !y || !(std::abs(*x) <= kFarthest) || !(std::abs(*y) <= kFarthest))
+    throw BadArguments("--robot-start: '" + options.robotStart + "' is no place; give x,y in metres");
+  extra.robotStart = {*x, *y};
+  return extra;
+}
 
 std::string stageTable(const Snapshot& snapshot) {
   std::vector<std::vector<std::string>> rows = {{"stage", "seconds"}};
@@ -72,6 +97,7 @@ std::vector<const Plane*> planesBySize(const Snapshot& snapshot) {
 }
 
 Status process(const ProcessOptions& options) {
+  const ExtraOptions extra = extraOptions(options);
   const auto settings = options.params.settings();
   if (!settings) return settings.error();
   const auto files = scanFiles(options.scans);
@@ -86,13 +112,15 @@ Status process(const ProcessOptions& options) {
   endProgress();
   if (!result) return result.error();
   const Snapshot& snapshot = **result;
-  const auto written = exportResults(snapshot, options.out);
+  std::vector<std::string> notes;
+  const auto written = exportResults(snapshot, options.out, extra, notes);
   if (!written) return written.error();
 
   for (const ScanProducts& scan : snapshot.scans) {
     for (const std::string& sentence : scan.scan->notes) note(scan.scan->name + ": " + sentence);
     for (const std::string& sentence : scan.planes->notes) note(scan.scan->name + ": " + sentence);
   }
+  for (const std::string& sentence : notes) note(sentence);
   if (options.json) {
     const auto document = readFile((std::filesystem::path(options.out) / "run.json").string());
     if (!document) return document.error();
@@ -119,6 +147,28 @@ void addProcess(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--out", options->out, "Directory for the results; made if missing")->required();
   command->add_flag("--json", options->json, "The document of run.json on standard output");
+  std::string words;
+  for (const ExportKindInfo& info : exportKinds())
+    words += std::string(words.empty() ? "" : ", ") + info.word;
+  command->add_option("--export", options->exports,
+                      "What to write besides, separated by commas: " + words + "; or all");
+  const auto length = CLI::Range(0.0, 100.0);
+  command->add_option("--robot-height", options->robot.height, "Free height a robot needs, for pgm (m)")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str()
+      ->group("Robot");
+  command->add_option("--robot-step", options->robot.step, "Largest step it takes (m)")
+      ->check(length)
+      ->capture_default_str()
+      ->group("Robot");
+  command->add_option("--robot-radius", options->robot.radius, "Radius of its footprint (m)")
+      ->check(length)
+      ->capture_default_str()
+      ->group("Robot");
+  command
+      ->add_option("--robot-start", options->robotStart,
+                   "x,y where it stands in the map (m); without it at the first scan's sensor")
+      ->group("Robot");
   options->params.addTo(*command);
   command->callback([options, &action] { action = [options] { return process(*options); }; });
 }
