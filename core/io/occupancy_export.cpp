@@ -46,18 +46,31 @@ Traversability reachFrom(const IntervalMap& map, const RobotParams& robot, const
     for (const CellIndex c : cells) ground = std::min<double>(ground, map.cell(c).front().max);
   }
   const double tolerance = std::max(robot.step, kLeastTolerance);
+  // Room enough on the ground itself: not what else one could stand on, such as the tops of the pipes above.
+  const auto canStand = [&](CellIndex c) {
+    const auto records = map.cell(c);
+    return std::any_of(records.begin(), records.end(), [&](const HeightInterval& floor) {
+      const double top = floor.max;
+      return std::abs(top - ground) <= tolerance &&
+             std::none_of(records.begin(), records.end(), [&](const HeightInterval& r) {
+               return static_cast<double>(r.max) > top && static_cast<double>(r.min) - top < robot.height;
+             });
+    });
+  };
+  Traversability nothing;
+  nothing.reason = cells.empty() ? "nothing was seen within 2 m of the start"
+                                 : "there is no room on the ground within 2 m of the start";
   int tries = 0;
   for (const CellIndex c : cells) {
-    const auto records = map.cell(c);
-    const bool hasGround = std::any_of(records.begin(), records.end(), [&](const HeightInterval& r) {
-      return std::abs(r.max - ground) <= tolerance;
-    });
-    if (!hasGround) continue;
+    if (!canStand(c)) continue;
     Traversability result = findReachable(map, robot, c, ground);
-    if (result.reason.empty() || ++tries == kMostTries) return result;
+    if (result.reason.empty()) return result;
+    nothing.reason = result.reason;
+    if (++tries == kMostTries) break;
   }
-  Traversability nothing = findReachable(map, robot, map.frame.cellAt(start.at.x(), start.at.y()), ground);
-  if (cells.empty()) nothing.reason = "nothing was seen within 2 m of the start";
+  nothing.cells.assign(map.frame.size(), CellState::Unseen);
+  for (size_t o = 0; o < map.frame.size(); ++o)
+    if (map.first[o] != map.first[o + 1]) nothing.cells[o] = CellState::Blocked;
   return nothing;
 }
 

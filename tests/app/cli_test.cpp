@@ -251,6 +251,21 @@ TEST_F(Cli, ProcessWritesTheContractsFiles) {
   EXPECT_GE(planes.size(), 4u);  // floor, ceiling and the walls in view
 }
 
+TEST_F(Cli, ExportWritesBesideTheContract) {
+  ASSERT_EQ(run("process room.pcd --out o").status, 0);
+  const auto contract = listing(work_ / "o");
+  const Result r =
+      run("process room.pcd --out o --export dxf,pgm,ply,mesh,geojson,csv,map --robot-radius 0.1 --robot-start 1,0");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(listing(work_ / "o").size(), contract.size() + 11);
+  EXPECT_NE(r.out.find("o/map.yaml\n"), std::string::npos);
+  expectRefused("process room.pcd --out o --export tif", 2, {"--export", "tif", "geotiff"});
+  expectRefused("process room.pcd --out o --export pgm --robot-start 1", 2, {"--robot-start"});
+  expectRefused("process room.pcd --out o --export pgm --robot-height -1", 2, {"--robot-height"});
+  expectRefused("process room.pcd --out o --export pgm --robot-start 70,70", 1, {"robot start"});
+}
+
 TEST_F(Cli, ProcessJsonIsTheRunsDocument) {
   const Result r = run("process room.pcd --out o --json --epsilon 0.2 --align-walls");
   ASSERT_EQ(r.status, 0) << r.err;
