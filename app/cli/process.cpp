@@ -13,6 +13,7 @@
 #include "app/cli/text_table.h"
 #include "io/extra_export.h"
 #include "io/file_util.h"
+#include "io/session_file.h"
 #include "io/text_lines.h"
 #include "layers/surface_class.h"
 #include "pipeline/pipeline.h"
@@ -22,7 +23,7 @@ namespace {
 
 struct ProcessOptions {
   std::vector<std::string> scans;
-  std::string out;
+  std::string out, session;
   bool json = false;
   std::string exports, robotStart;
   RobotParams robot;
@@ -96,18 +97,49 @@ std::vector<const Plane*> planesBySize(const Snapshot& snapshot) {
   return planes;
 }
 
-Status process(const ProcessOptions& options) {
-  const ExtraOptions extra = extraOptions(options);
+/// What is to be computed, from the arguments or from a session.
+struct Job {
+  std::vector<std::string> files;
+  std::vector<std::optional<Eigen::Isometry3d>> poses;
+  PipelineParams params;
+};
+
+Expected<Job> jobOfSession(const ProcessOptions& options) {
+  if (!options.scans.empty()) throw BadArguments("--session: it names the scans; give no SCAN");
+  const auto session = readSession(options.session);
+  if (!session) return session.error();
+  if (const Status same = checkInputs(*session); !same) return same.error();
+  const Settings base{session->params, {}};
+  const auto settings = options.params.settings(&base);
+  if (!settings) return settings.error();
+  Job job{{}, {settings->poses.begin(), settings->poses.end()}, settings->params};
+  for (const SessionInput& input : session->inputs) {
+    job.files.push_back(input.path);
+    if (settings->poses.empty()) job.poses.push_back(sessionPose(input));
+  }
+  return job;
+}
+
+Expected<Job> jobOf(const ProcessOptions& options) {
+  if (!options.session.empty()) return jobOfSession(options);
+  if (options.scans.empty()) throw BadArguments("SCAN is required, or --session");
   const auto settings = options.params.settings();
   if (!settings) return settings.error();
   const auto files = scanFiles(options.scans);
   if (!files) return files.error();
-  auto scans = readScans(*files, settings->poses);
+  return Job{*files, {settings->poses.begin(), settings->poses.end()}, settings->params};
+}
+
+Status process(const ProcessOptions& options) {
+  const ExtraOptions extra = extraOptions(options);
+  const auto job = jobOf(options);
+  if (!job) return job.error();
+  auto scans = readScans(job->files, job->poses);
   if (!scans) return scans.error();
 
   Pipeline pipeline;
   pipeline.setScans(*scans);
-  const auto result = pipeline.run(settings->params, options.params.execution(),
+  const auto result = pipeline.run(job->params, options.params.execution(),
                                    [](Stage stage) { showProgress(stageLabel(stage)); });
   endProgress();
   if (!result) return result.error();
@@ -141,10 +173,11 @@ void addProcess(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ProcessOptions>();
   CLI::App* command =
       app.add_subcommand("process", "Computes planes, edges and both maps of one or several scans");
-  command
-      ->add_option("SCAN", options->scans,
-                   "Scan files, or directories of UOS scans (scanNNN.3d); several go into one map")
-      ->required();
+  command->add_option("SCAN", options->scans,
+                      "Scan files, or directories of UOS scans (scanNNN.3d); several go into one map");
+  command->add_option(
+      "--session", options->session,
+      "A .stratascope file instead of SCAN: its scans, poses and parameters; options win over it");
   command->add_option("--out", options->out, "Directory for the results; made if missing")->required();
   command->add_flag("--json", options->json, "The document of run.json on standard output");
   std::string words;

@@ -49,6 +49,11 @@ Expected<Json> parseStrictJson(std::string_view text, const std::string& file) {
     return true;
   };
   constexpr const char* kRemedy = "restore the file, or make it again";
+  // the parser takes a NUL for the end and skips a byte-order mark
+  if (const size_t at = text.find('\0'); at != std::string_view::npos)
+    return Error{file, "byte " + std::to_string(at), "a NUL byte", kRemedy};
+  if (text.starts_with("\xEF\xBB\xBF"))
+    return Error{file, "byte 0", "the file begins with a byte-order mark", "save it as plain text"};
   try {
     return Json::parse(text.begin(), text.end(), watch);
   } catch (const Refused& refused) {

@@ -151,6 +151,7 @@ TEST_F(Cli, BadArgumentsAreStatusTwo) {
   expectRefused("info room.pcd --colour", 2, {"--colour"});
   expectRefused("process room.pcd", 2, {"--out"});
   expectRefused("process --out o", 2, {"SCAN"});
+  expectRefused("process room.pcd --session s.stratascope --out o", 2, {"--session", "SCAN"});
   expectRefused("process room.pcd --out o --epsilon abc", 2, {"--epsilon", "abc"});
   expectRefused("process room.pcd --out o --epsilon -1", 2, {"epsilon", "-1"});
   expectRefused("process room.pcd --out o --cell nan", 2, {"--cell"});
@@ -311,6 +312,38 @@ TEST_F(Cli, PoseMovesTheMap) {
   const auto document = runDocument("moved");
   EXPECT_NEAR(document["inputs"][0]["pose"][0], -10, 1e-9);
   EXPECT_NEAR(document["inputs"][0]["pose"][5], 90, 1e-9);
+}
+
+TEST_F(Cli, ASessionIsWhatItsParametersAre) {
+  write("scans/b.pcd", roomPcd(60, 91));
+  write("s.stratascope",
+        R"({"program": "stratascope", "version": "0.1.0", "session": 1, "inputs": [
+            {"path": "room.pcd", "pose": [-10, 0.5, 0.1, 0, 1, 90]}, {"path": "scans/b.pcd", "pose": [1, 2, 0, 0, 0, 30]}],
+            "parameters": {"epsilon": 0.2, "cell": 0.1}, "window": {"camera": [1, 2, 3]}})");
+  ASSERT_EQ(run("process --session s.stratascope --out a").status, 0);
+  ASSERT_EQ(run("process room.pcd scans/b.pcd --pose -10,0.5,0.1,0,1,90 --pose 1,2,0,0,0,30 --epsilon 0.2 --cell 0.1 "
+                "--out b --threads 1")
+                .status,
+            0);
+  ASSERT_EQ(listing(work_ / "a"), listing(work_ / "b"));
+  for (const std::string& name : listing(work_ / "a"))
+    if (name != "run.json") {
+      EXPECT_EQ(contentsOf(work_ / "a" / name), contentsOf(work_ / "b" / name)) << name;
+    }
+  json one = runDocument("a"), two = runDocument("b");
+  for (json* document : {&one, &two})
+    for (const char* key : {"seconds", "peak_memory_bytes"}) document->erase(key);
+  EXPECT_EQ(one, two);
+
+  ASSERT_EQ(run("process --session s.stratascope --out c --epsilon 0.3").status, 0);
+  EXPECT_EQ(runDocument("c")["parameters"]["epsilon"], 0.3);
+  EXPECT_EQ(runDocument("c")["parameters"]["cell"], 0.1);
+  write("p.json", "{}");
+  expectRefused("process --session s.stratascope --params p.json --out d", 2, {"--params"});
+  expectRefused("process --session absent.stratascope --out d", 1, {"absent.stratascope"});
+  write("changed.stratascope", R"({"program": "stratascope", "version": "0.1.0", "session": 1, "inputs": [
+      {"path": "room.pcd", "sha256": ")" + std::string(64, '0') + R"("}], "parameters": {}})");
+  expectRefused("process --session changed.stratascope --out d", 1, {"room.pcd", "has changed"});
 }
 
 TEST_F(Cli, SeveralScansGoIntoOneMap) {
