@@ -114,6 +114,9 @@ Expected<Job> jobOfSession(const ProcessOptions& options) {
   if (!settings) return settings.error();
   Job job{{}, {settings->poses.begin(), settings->poses.end()}, settings->params};
   for (const SessionInput& input : session->inputs) {
+    if (input.units != "auto" || input.axes != "auto")
+      return Error{options.session, "key inputs", "units and axes other than auto cannot be used here yet",
+                   "convert the scan to metres with z up"};
     job.files.push_back(input.path);
     if (settings->poses.empty()) job.poses.push_back(sessionPose(input));
   }

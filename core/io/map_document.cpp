@@ -56,6 +56,19 @@ Json entryOf(const Json& input, const Json& version, const Json& parameters) {
   return entry;
 }
 
+Eigen::Vector3d originIn(DocumentReader& reader, const Json& input, const std::string& place) {
+  const Json& list = input["local_origin"];
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  if (!list.is_array() || list.size() != 3)
+    return reader.fail(place + "local_origin", "not three numbers"), origin;
+  for (size_t i = 0; i < 3; ++i)
+    if (list[i].is_number())
+      origin[static_cast<Eigen::Index>(i)] = list[i].get<double>();
+    else
+      reader.fail(place + "local_origin", "not three numbers");
+  return origin;
+}
+
 MapSource sourceOf(DocumentReader& reader, const Json& input, const Json& document, size_t number,
                    std::uint64_t& base) {
   const std::string place = "inputs[" + std::to_string(number) + "].";
@@ -71,6 +84,8 @@ MapSource sourceOf(DocumentReader& reader, const Json& input, const Json& docume
     labels = lines * reader.count(input, "beams", place, kMax32);
   }
   source.points = reader.count(input, "points", place, kMaxCount);
+  if (input.is_object() && input.contains("local_origin"))
+    source.localOrigin = originIn(reader, input, place);
   if (!reader.failed() && (labels > kMax32 || base > kMax32 - labels))
     reader.fail(place + "label_count", "more labels than 32 bits can count");
   if (reader.failed()) return source;
@@ -153,6 +168,8 @@ Expected<StoredMap> mapFromDocument(const std::string& text, const std::string& 
   for (size_t i = 0; !reader.failed() && i < inputs.size(); ++i) {
     const std::uint64_t end = base;
     stored.sources.push_back(sourceOf(reader, inputs[i], document, i, base));
+    if (!reader.failed() && stored.sources.back().localOrigin != stored.sources.front().localOrigin)
+      reader.fail("inputs[" + std::to_string(i) + "].local_origin", "another than that of the first input");
     if (!reader.failed() && stored.sources.back().labelBase < end)
       reader.fail("inputs[" + std::to_string(i) + "].label_base", "labels of two scans overlap");
   }

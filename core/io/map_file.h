@@ -18,6 +18,8 @@ struct MapSource {
   std::uint64_t points = 0;   ///< measured in it
   PlaneLabel labelBase = 0;   ///< the labels of its planes are labelBase + 1 … labelBase + labelCount
   PlaneLabel labelCount = 0;  ///< its neurons
+  /// What has to be added to map coordinates for the file's own; zero unless those are far away.
+  Eigen::Vector3d localOrigin = Eigen::Vector3d::Zero();
   /// What run.json says of it, and the version and parameters that made its part of the map: one JSON object
   /// on one line. Tells sources apart.
   std::string json;

@@ -39,7 +39,7 @@ Expected<OpenedMap> readMap(const std::string& path, const MapAssumptions& assum
 /// and grouping, and the labels that `process` gives when it gets the same scans in the order of their names.
 /// A plane's label in the run of its scan alone is its label here − label_base of the scan.
 ///
-/// Errors: different cell sizes or ε; the paper's rule, whose records depend on the order of the points; more
+/// Errors: different cell sizes, ε or local origins; the paper's rule, whose records depend on the order of the points; more
 /// labels than 32 bits hold. Notes: scans that are in it more than once.
 Expected<OpenedMap> mergeMaps(const std::vector<OpenedMap>& maps);
 

@@ -65,6 +65,11 @@ Status checkGrids(const std::vector<OpenedMap>& maps) {
           "its records were made by the rule 'paper' and depend on the order of the points, so it cannot be "
           "merged",
           "make it with --intervals linked"};
+    if (opened.stored.sources.front().localOrigin != first.stored.sources.front().localOrigin)
+      return Error{opened.path, "",
+                   "it counts its coordinates from another local origin than " + first.path +
+                       ": maps of different grids cannot be merged",
+                   "process the scans of both together, or shift them to common coordinates before"};
     if (map.cell != first.stored.map.cell)
       return differs("cell size", map.cell, first.stored.map.cell, "--cell");
     if (map.intervals.epsilon != first.stored.map.intervals.epsilon)

@@ -27,6 +27,12 @@ bool isSha256(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
+/// What an option's word can look like; which words there are is known where files are read.
+bool isWord(const std::string& text) {
+  return !text.empty() && text.size() <= 32 &&
+         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
+}
+
 std::string poseText(const std::array<double, 6>& pose) {
   std::string text;
   for (const double v : pose) text += (text.empty() ? "" : ",") + numberText(v);
@@ -73,7 +79,7 @@ public:
   }
   SessionInput input(const Json& json, const std::string& place) {
     SessionInput input;
-    if (!hasKeys(json, place, {"path"}, {"sha256", "pose"})) return input;
+    if (!hasKeys(json, place, {"path"}, {"sha256", "pose", "units", "axes"})) return input;
     if (!json["path"].is_string() || json["path"].get_ref<const std::string&>().empty())
       fail(place + ".path", "no file name");
     else if (json["path"].get_ref<const std::string&>().find('\0') != std::string::npos)
@@ -85,11 +91,18 @@ public:
       if (!isSha256(input.sha256)) fail(place + ".sha256", "not 64 hexadecimal digits");
     }
     if (json.contains("pose") && !json["pose"].is_null()) input.pose = pose(json["pose"], place + ".pose");
+    if (json.contains("units")) input.units = word(json["units"], place + ".units");
+    if (json.contains("axes")) input.axes = word(json["axes"], place + ".axes");
     return input;
   }
   const std::optional<Error>& error() const { return error_; }
 
 private:
+  std::string word(const Json& json, const std::string& place) {
+    const std::string text = json.is_string() ? json.get<std::string>() : "";
+    if (!isWord(text)) fail(place, "not a word such as auto");
+    return text;
+  }
   std::array<double, 6> pose(const Json& json, const std::string& place) {
     std::array<double, 6> numbers{};
     if (!json.is_array() || json.size() != numbers.size() ||
@@ -134,6 +147,9 @@ Expected<std::string> sessionJson(const SessionFile& session, const std::string&
     Json entry;
     entry["path"] = storedPath(input.path, path);
     entry["sha256"] = input.sha256.empty() ? Json(nullptr) : Json(input.sha256);
+    require(isWord(input.units) && isWord(input.axes), "sessionJson: units or axes that are no words");
+    entry["units"] = input.units;
+    entry["axes"] = input.axes;
     entry["pose"] = nullptr;
     if (input.pose) {
       if (const auto pose = poseFromText(poseText(*input.pose)); !pose)

@@ -19,6 +19,9 @@ struct SessionInput {
       sha256;  ///< of the file when the session was saved; "" = not known, any file of that name will do
   /// x, y, z, roll, pitch, yaw as --pose takes them (m, degrees); none = what the file says.
   std::optional<std::array<double, 6>> pose;
+  /// Unit and axes of its coordinates, in the words of --units and --axes; "auto" = as the file or its format
+  /// says.
+  std::string units = "auto", axes = "auto";
 };
 
 /// What was being done: enough to compute it again, and to show it as it was.
@@ -27,8 +30,10 @@ struct SessionInput {
 ///   program     "stratascope"
 ///   version     of the program that wrote it
 ///   session     1, the version of this format
-///   inputs      list of {path, sha256 (or null), pose (six numbers, or null)}; a path below the session's
-///               folder is relative to it, so that both can be moved together
+///   inputs      list of {path, sha256 (or null), pose (six numbers, or null), units, axes}; all but path can
+///   be
+///               left out. A path below the session's folder is relative to it, so that both can be moved
+///               together
 ///   parameters  as in --params
 ///   window      anything: see below
 /// Other keys are errors, as is a key given twice.

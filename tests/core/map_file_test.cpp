@@ -136,6 +136,8 @@ TEST(MapFile, HostileHeadersWithARightChecksumAreRefused) {
   with("\"label_count\":25", "\"label_count\":1");
   with("\"label_count\":25", "\"label_count\":0.5");
   with("\"name\":\"s\"", "\"name\":7");
+  with("\"name\":\"s\"", "\"name\":\"s\",\"local_origin\":[1,2]");
+  with("\"name\":\"s\"", "\"name\":\"s\",\"local_origin\":[1,2,null]");
   with("\"k_min\":", "\"k_min\":1");
   with("\"k_min\":", "\"k_max\":");
   with("\"l_min\":", "\"l_min\":9");

@@ -83,6 +83,9 @@ TEST(MergeMaps, RefusesOtherGridsAndThePapersRule) {
   };
   refused(opened(randomStoredMap("b", 2, 400, 0.5)), "cell size is 0.5 m, that of a 0.25 m");
   refused(opened(randomStoredMap("b", 2, 400, 0.25, 0.2)), "epsilon is 0.2 m");
+  OpenedMap far = opened(randomStoredMap("b", 2));
+  far.stored.sources[0].localOrigin.x() = 400000;
+  refused(far, "local origin");
   OpenedMap paper = opened(randomStoredMap("b", 2));
   paper.stored.map.intervals.rule = IntervalRule::Paper;
   refused(paper, "--intervals linked");

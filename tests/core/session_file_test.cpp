@@ -22,6 +22,8 @@ SessionFile someSession(const std::string& folder) {
   SessionFile session;
   session.inputs = {{folder + "/sub/a.pcd", std::string(64, 'a'), {{1.5, -2, 0.1, 0, 0, 90.000000001}}},
                     {"/elsewhere/b c.3d", "", {}}};
+  session.inputs[1].units = "mm";
+  session.inputs[1].axes = "y-up";
   session.params.grid.cell = 0.07;
   session.params.intervals.epsilon = 1.0 / 3;
   session.params.classes.alignWalls = true;
@@ -41,6 +43,8 @@ TEST(SessionFile, ComesBackAsItWas) {
     EXPECT_EQ(back->inputs[i].path, session.inputs[i].path);
     EXPECT_EQ(back->inputs[i].sha256, session.inputs[i].sha256);
     EXPECT_EQ(back->inputs[i].pose, session.inputs[i].pose);
+    EXPECT_EQ(back->inputs[i].units, session.inputs[i].units);
+    EXPECT_EQ(back->inputs[i].axes, session.inputs[i].axes);
   }
   EXPECT_EQ(back->params, session.params);
   EXPECT_EQ(nlohmann::ordered_json::parse(back->window), nlohmann::ordered_json::parse(session.window));
@@ -126,6 +130,10 @@ TEST(SessionFile, HostileFilesAreRefused) {
            {"\"sha256\": null", "\"sha256\": \"\""},
            {"\"sha256\": null", "\"sha256\": 7"},
            {"\"sha256\": null", "\"sha-256\": null"},
+           {"\"units\": \"auto\"", "\"units\": 1"},
+           {"\"units\": \"mm\"", "\"units\": \"m m\""},
+           {"\"axes\": \"auto\"", "\"axes\": null"},
+           {"\"axes\": \"auto\"", "\"axes\": \"\""},
            {"\"pose\": null", "\"pose\": \"1,2,3,4,5,6\""},
            {"\"pose\": null", "\"pose\": [1, 2, 3, 4, 5]"},
            {"\"pose\": null", "\"pose\": [1, 2, 3, 4, 5, null]"},
