@@ -76,7 +76,8 @@ void addMerge(CLI::App& app, Action& action) {
   command
       ->add_option(
           "-o,--out", options->out,
-          "What to write: .strata, .csv (intervals), .asc (2.5D map), or a directory for all of them")
+          "What to write: .strata, .csv (intervals), .asc or .tif (2.5D map), .ply or .vtp (mesh), or a "
+          "directory for the first three")
       ->required();
   command->add_option(
       "--cell", options->cell,

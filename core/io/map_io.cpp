@@ -7,8 +7,10 @@
 
 #include "io/export.h"
 #include "io/file_util.h"
+#include "io/geotiff.h"
 #include "io/map_csv.h"
 #include "io/map_rules.h"
+#include "io/mesh_export.h"
 #include "io/number_text.h"
 #include "io/strict_json.h"
 
@@ -118,14 +120,25 @@ Expected<std::vector<OutputFile>> mapFiles(const StoredMap& stored, const std::s
   if (!isDirectory && extension == ".strata") return std::vector<OutputFile>{{name, mapFileBytes(stored)}};
   if (!isDirectory && extension == ".csv")
     return std::vector<OutputFile>{{name, intervalsCsv(stored.map)}, {name + ".json", mapDocument(stored)}};
-  if (!isDirectory && extension != ".asc")
+  if (!isDirectory && (extension == ".ply" || extension == ".vtp")) {
+    const QuadMesh mesh = intervalMesh(stored.map);
+    const Provenance provenance = provenanceOf(mapDocument(stored));
+    return std::vector<OutputFile>{
+        {name, extension == ".ply" ? meshPly(mesh, provenance) : meshVtp(mesh, provenance)}};
+  }
+  if (!isDirectory && extension != ".asc" && extension != ".tif")
     return Error{path, "", "no kind of map is written with this extension",
-                 "use .strata, .csv, .asc or a directory"};
+                 "use .strata, .csv, .asc, .tif, .ply, .vtp or a directory"};
   auto heights = heightMapOf(stored.map);
   if (!heights) {
     Error error = heights.error();
     error.file = path;
     return error;
+  }
+  if (extension == ".tif" && !isDirectory) {
+    auto bytes = heightMapGeoTiff(*heights, provenanceOf(mapDocument(stored)));
+    if (!bytes) return bytes.error();
+    return std::vector<OutputFile>{{name, *std::move(bytes)}};
   }
   if (!isDirectory)
     return std::vector<OutputFile>{{name, heightMapAsc(*heights)}, {name + ".json", mapDocument(stored)}};

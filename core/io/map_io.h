@@ -43,10 +43,10 @@ Expected<OpenedMap> readMap(const std::string& path, const MapAssumptions& assum
 /// labels than 32 bits hold. Notes: scans that are in it more than once.
 Expected<OpenedMap> mergeMaps(const std::vector<OpenedMap>& maps);
 
-/// What is written for a map at `path`, by its extension: .strata; .csv (intervals.csv) or .asc (the 2.5D
-/// map), with mapDocument() as PATH.json; without an extension a directory of map.strata, intervals.csv,
-/// height_map.asc and run.json. `directory` becomes where they go. Errors: another extension; a 2.5D map of
-/// too many cells.
+/// What is written for a map at `path`, by its extension: .strata; .csv (intervals.csv) or .asc (the 2.5D map), with
+/// mapDocument() as PATH.json; .tif (the 2.5D map); .ply or .vtp (mesh of the extended map); without an extension a
+/// directory of map.strata, intervals.csv, height_map.asc and run.json. `directory` becomes where they go. Errors:
+/// another extension; a 2.5D map of too many cells; a GeoTIFF without GDAL.
 Expected<std::vector<OutputFile>> mapFiles(const StoredMap& stored, const std::string& path,
                                            std::string& directory);
 

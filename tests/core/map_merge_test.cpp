@@ -194,6 +194,12 @@ TEST(MapFiles, WhatIsWrittenOpensAgain) {
   }
   std::string directory;
   EXPECT_FALSE(mapFiles(stored, folder / "m.png", directory));
+  for (const std::string name : {"m.ply", "m.vtp"}) {
+    const auto files = mapFiles(stored, name, directory);
+    ASSERT_TRUE(files);
+    ASSERT_EQ(files->size(), 1u);
+    EXPECT_NE(files->front().bytes.find("input \"b\" sha256 \"6\""), std::string::npos);
+  }
 }
 
 }  // namespace
