@@ -24,5 +24,6 @@ void addConvert(CLI::App& app, Action& action);
 void addSimulate(CLI::App& app, Action& action);
 void addScore(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
+void addMerge(CLI::App& app, Action& action);
 
 }  // namespace stratascope::cli

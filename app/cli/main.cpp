@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   cli::addSimulate(app, action);
   cli::addScore(app, action);
   cli::addBench(app, action);
+  cli::addMerge(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -102,9 +102,12 @@ void ParamOptions::addTo(CLI::App& command) {
       ->group("Parameters");
 }
 
-Expected<Settings> ParamOptions::settings() const {
+Expected<Settings> ParamOptions::settings(const Settings* base) const {
   Settings settings;
-  if (!file_.empty()) {
+  if (base) {
+    if (!file_.empty()) throw BadArguments("--params: the session has its parameters; give single options instead");
+    settings = *base;
+  } else if (!file_.empty()) {
     auto read = readFileOfParams(file_);
     if (!read) return read.error();
     settings = *std::move(read);

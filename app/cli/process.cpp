@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,8 +11,10 @@
 #include "app/cli/progress.h"
 #include "app/cli/scan_arguments.h"
 #include "app/cli/text_table.h"
-#include "io/export.h"
+#include "io/extra_export.h"
 #include "io/file_util.h"
+#include "io/session_file.h"
+#include "io/text_lines.h"
 #include "layers/surface_class.h"
 #include "pipeline/pipeline.h"
 
@@ -20,10 +23,33 @@ namespace {
 
 struct ProcessOptions {
   std::vector<std::string> scans;
-  std::string out;
+  std::string out, session;
   bool json = false;
+  std::string exports, robotStart;
+  RobotParams robot;
   ParamOptions params;
 };
+
+ExtraOptions extraOptions(const ProcessOptions& options) {
+  ExtraOptions extra;
+  if (!options.exports.empty()) {
+    auto kinds = exportKindsFromText(options.exports);
+    if (!kinds) throw BadArguments("--export: " + kinds.error().what + "; " + kinds.error().remedy);
+    extra.kinds = *std::move(kinds);
+  }
+  extra.robot = options.robot;
+  if (options.robotStart.empty()) return extra;
+  const size_t comma = options.robotStart.find(',');
+  const auto x = numberFromText(std::string_view(options.robotStart).substr(0, comma));
+  const auto y = comma == std::string::npos
+                     ? std::nullopt
+                     : numberFromText(std::string_view(options.robotStart).substr(comma + 1));
+  constexpr double kFarthest = 1e6;
+  if (!x || !y || !(std::abs(*x) <= kFarthest) || !(std::abs(*y) <= kFarthest))
+    throw BadArguments("--robot-start: '" + options.robotStart + "' is no place; give x,y in metres");
+  extra.robotStart = {*x, *y};
+  return extra;
+}
 
 std::string stageTable(const Snapshot& snapshot) {
   std::vector<std::vector<std::string>> rows = {{"stage", "seconds"}};
@@ -71,28 +97,65 @@ std::vector<const Plane*> planesBySize(const Snapshot& snapshot) {
   return planes;
 }
 
-Status process(const ProcessOptions& options) {
+/// What is to be computed, from the arguments or from a session.
+struct Job {
+  std::vector<std::string> files;
+  std::vector<std::optional<Eigen::Isometry3d>> poses;
+  PipelineParams params;
+};
+
+Expected<Job> jobOfSession(const ProcessOptions& options) {
+  if (!options.scans.empty()) throw BadArguments("--session: it names the scans; give no SCAN");
+  const auto session = readSession(options.session);
+  if (!session) return session.error();
+  if (const Status same = checkInputs(*session); !same) return same.error();
+  const Settings base{session->params, {}};
+  const auto settings = options.params.settings(&base);
+  if (!settings) return settings.error();
+  Job job{{}, {settings->poses.begin(), settings->poses.end()}, settings->params};
+  for (const SessionInput& input : session->inputs) {
+    if (input.units != "auto" || input.axes != "auto")
+      return Error{options.session, "key inputs", "units and axes other than auto cannot be used here yet",
+                   "convert the scan to metres with z up"};
+    job.files.push_back(input.path);
+    if (settings->poses.empty()) job.poses.push_back(sessionPose(input));
+  }
+  return job;
+}
+
+Expected<Job> jobOf(const ProcessOptions& options) {
+  if (!options.session.empty()) return jobOfSession(options);
+  if (options.scans.empty()) throw BadArguments("SCAN is required, or --session");
   const auto settings = options.params.settings();
   if (!settings) return settings.error();
   const auto files = scanFiles(options.scans);
   if (!files) return files.error();
-  auto scans = readScans(*files, settings->poses);
+  return Job{*files, {settings->poses.begin(), settings->poses.end()}, settings->params};
+}
+
+Status process(const ProcessOptions& options) {
+  const ExtraOptions extra = extraOptions(options);
+  const auto job = jobOf(options);
+  if (!job) return job.error();
+  auto scans = readScans(job->files, job->poses);
   if (!scans) return scans.error();
 
   Pipeline pipeline;
   pipeline.setScans(*scans);
-  const auto result = pipeline.run(settings->params, options.params.execution(),
+  const auto result = pipeline.run(job->params, options.params.execution(),
                                    [](Stage stage) { showProgress(stageLabel(stage)); });
   endProgress();
   if (!result) return result.error();
   const Snapshot& snapshot = **result;
-  const auto written = exportResults(snapshot, options.out);
+  std::vector<std::string> notes;
+  const auto written = exportResults(snapshot, options.out, extra, notes);
   if (!written) return written.error();
 
   for (const ScanProducts& scan : snapshot.scans) {
     for (const std::string& sentence : scan.scan->notes) note(scan.scan->name + ": " + sentence);
     for (const std::string& sentence : scan.planes->notes) note(scan.scan->name + ": " + sentence);
   }
+  for (const std::string& sentence : notes) note(sentence);
   if (options.json) {
     const auto document = readFile((std::filesystem::path(options.out) / "run.json").string());
     if (!document) return document.error();
@@ -113,12 +176,35 @@ void addProcess(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ProcessOptions>();
   CLI::App* command =
       app.add_subcommand("process", "Computes planes, edges and both maps of one or several scans");
-  command
-      ->add_option("SCAN", options->scans,
-                   "Scan files, or directories of UOS scans (scanNNN.3d); several go into one map")
-      ->required();
+  command->add_option("SCAN", options->scans,
+                      "Scan files, or directories of UOS scans (scanNNN.3d); several go into one map");
+  command->add_option(
+      "--session", options->session,
+      "A .stratascope file instead of SCAN: its scans, poses and parameters; options win over it");
   command->add_option("--out", options->out, "Directory for the results; made if missing")->required();
   command->add_flag("--json", options->json, "The document of run.json on standard output");
+  std::string words;
+  for (const ExportKindInfo& info : exportKinds())
+    words += std::string(words.empty() ? "" : ", ") + info.word;
+  command->add_option("--export", options->exports,
+                      "What to write besides, separated by commas: " + words + "; or all");
+  const auto length = CLI::Range(0.0, 100.0);
+  command->add_option("--robot-height", options->robot.height, "Free height a robot needs, for pgm (m)")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str()
+      ->group("Robot");
+  command->add_option("--robot-step", options->robot.step, "Largest step it takes (m)")
+      ->check(length)
+      ->capture_default_str()
+      ->group("Robot");
+  command->add_option("--robot-radius", options->robot.radius, "Radius of its footprint (m)")
+      ->check(length)
+      ->capture_default_str()
+      ->group("Robot");
+  command
+      ->add_option("--robot-start", options->robotStart,
+                   "x,y where it stands in the map (m); without it at the first scan's sensor")
+      ->group("Robot");
   options->params.addTo(*command);
   command->callback([options, &action] { action = [options] { return process(*options); }; });
 }

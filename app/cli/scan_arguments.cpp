@@ -58,7 +58,7 @@ Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arg
 }
 
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
-                                         const std::vector<Eigen::Isometry3d>& poses) {
+                                         const std::vector<std::optional<Eigen::Isometry3d>>& poses) {
   if (!poses.empty() && poses.size() != files.size())
     throw BadArguments("--pose: " + std::to_string(poses.size()) + " for " + std::to_string(files.size()) +
                        " scans; give it once for each scan, or not at all");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace stratascope::cli {
 /// order.
 Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arguments);
 
-/// Reads all files; `poses` is empty or one for each file (else BadArguments).
+/// Reads all files; `poses` is empty or one for each file (else BadArguments), none = what the file says.
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
-                                         const std::vector<Eigen::Isometry3d>& poses);
+                                         const std::vector<std::optional<Eigen::Isometry3d>>& poses);
 
 }  // namespace stratascope::cli

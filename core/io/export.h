@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/expected.h"
+#include "io/file_set.h"
+#include "io/provenance.h"
 #include "pipeline/snapshot.h"
 
 namespace stratascope {
@@ -19,7 +21,10 @@ namespace stratascope {
 /// bytes a point. WIDTH = beams, HEIGHT = lines; an unordered scan has HEIGHT 1 and every point of its file,
 /// in the file's order. VIEWPOINT is the sensor's pose in the map. `provenance`: lines that go into the
 /// header as comments.
-std::string cloudPcd(const ScanProducts& scan, const std::vector<std::string>& provenance = {});
+std::string cloudPcd(const ScanProducts& scan, const Provenance& provenance = {});
+/// The same points as binary PLY: x y z nx ny nz (float), surface_class (uchar), label (uint). A scan with a
+/// lattice has every neuron, NaN where nothing came back, and obj_info num_cols (beams) and num_rows (lines).
+std::string cloudPly(const ScanProducts& scan, const Provenance& provenance = {});
 
 /// A list, one plane a line, scan by scan: label, class (the word), surface_class (the number), role (if it
 /// has one), normal, offset, sigma, rms, points, centroid, area, hull, scan (index of its scan).
@@ -46,9 +51,13 @@ std::string intervalsCsv(const Snapshot& snapshot);
 /// Errors: an input file that can no longer be read.
 Expected<std::string> runJson(const Snapshot& snapshot);
 
-/// Writes all of them into `directory` (made if missing), all or nothing: on an error the directory is as it
-/// was. One scan: cloud.pcd. Several: cloud.pcd for the first, cloud_1.pcd … for the others. Returns the
-/// paths written.
+/// The files of the contract and map.strata, by name: what exportResults writes before what is asked for
+/// besides. One scan: cloud.pcd. Several: cloud.pcd for the first, cloud_1.pcd … for the others. `run` is
+/// runJson().
+std::vector<OutputFile> contractFiles(const Snapshot& snapshot, const std::string& run);
+
+/// Writes contractFiles() into `directory` (made if missing), all or nothing: on an error the directory is as
+/// it was. Returns the paths written.
 Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory);
 
 /// The program's version, "0.1.0".

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/export.h"
+#include "io/map_csv.h"
 #include "io/number_text.h"
 
 namespace stratascope {
@@ -28,30 +29,8 @@ std::string heightMapAsc(const HeightMap& map) {
 
 std::string intervalsCsv(const Snapshot& snapshot) {
   require(snapshot.intervalMap != nullptr, "intervalsCsv: no interval map");
-  const IntervalMap& map = *snapshot.intervalMap;
-  const ObjectMap* objects = snapshot.objectMap.get();
-  require(!objects || objects->first.size() == map.records.size() + 1,
-          "intervalsCsv: objects of another map");
-  std::string text = "k,l,x,y,min,max,points,objects\n";
-  for (size_t o = 0; o < map.frame.size(); ++o)
-    for (std::uint32_t r = map.first[o]; r < map.first[o + 1]; ++r) {
-      const CellIndex cell = map.frame.index(o);
-      const Eigen::Vector2d centre = map.frame.centre(cell);
-      const HeightInterval& record = map.records[r];
-      auto column = [&](auto value) { appendNumber(text, value), text += ','; };
-      column(cell.k), column(cell.l), column(centre.x()), column(centre.y());
-      column(record.min), column(record.max), column(record.points);
-      if (objects) {
-        bool first = true;
-        for (const PlaneLabel label : objects->objects(r)) {
-          if (!first) text += ';';
-          first = false;
-          appendNumber(text, label);
-        }
-      }
-      text += '\n';
-    }
-  return text;
+  return intervalsCsv(
+      recordMapOf(*snapshot.intervalMap, snapshot.objectMap.get(), snapshot.params.intervals));
 }
 
 }  // namespace stratascope

@@ -125,7 +125,8 @@ protected:
 
 TEST_F(Cli, HelpAndVersionAreResults) {
   for (const std::string arguments : {"--help", "--version", "info --help", "process --help",
-                                      "convert --help", "simulate --help", "score --help", "bench --help"}) {
+                                      "convert --help", "simulate --help", "score --help", "bench --help",
+                                      "merge --help"}) {
     const Result r = run(arguments);
     EXPECT_EQ(r.status, 0) << arguments;
     EXPECT_NE(r.out, "") << arguments;
@@ -151,6 +152,7 @@ TEST_F(Cli, BadArgumentsAreStatusTwo) {
   expectRefused("info room.pcd --colour", 2, {"--colour"});
   expectRefused("process room.pcd", 2, {"--out"});
   expectRefused("process --out o", 2, {"SCAN"});
+  expectRefused("process room.pcd --session s.stratascope --out o", 2, {"--session", "SCAN"});
   expectRefused("process room.pcd --out o --epsilon abc", 2, {"--epsilon", "abc"});
   expectRefused("process room.pcd --out o --epsilon -1", 2, {"epsilon", "-1"});
   expectRefused("process room.pcd --out o --cell nan", 2, {"--cell"});
@@ -166,6 +168,9 @@ TEST_F(Cli, BadArgumentsAreStatusTwo) {
   expectRefused("simulate scene.json -o s.pcd --noise loud", 2, {"loud"});
   expectRefused("simulate scene.json -o s.pcd --seed x", 2, {"--seed"});
   expectRefused("score room.pcd room.pcd --overlap 0.4", 2, {"--overlap"});
+  expectRefused("merge -o m", 2, {"MAP"});
+  expectRefused("merge a", 2, {"--out"});
+  expectRefused("merge a -o m --epsilon x", 2, {"--epsilon"});
 }
 
 TEST_F(Cli, BadInputIsStatusOneAndNamesTheFile) {
@@ -241,11 +246,26 @@ TEST_F(Cli, ProcessWritesTheContractsFiles) {
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(listing(work_ / "o/deep"),
             (std::set<std::string>{"cloud.pcd", "planes.json", "edges.json", "height_map.asc",
-                                   "intervals.csv", "run.json"}));
+                                   "intervals.csv", "map.strata", "run.json"}));
   EXPECT_NE(r.out.find("normals"), std::string::npos);
   EXPECT_NE(r.out.find("floor"), std::string::npos) << r.out;
   const json planes = json::parse(contentsOf(work_ / "o/deep/planes.json"));
   EXPECT_GE(planes.size(), 4u);  // floor, ceiling and the walls in view
+}
+
+TEST_F(Cli, ExportWritesBesideTheContract) {
+  ASSERT_EQ(run("process room.pcd --out o").status, 0);
+  const auto contract = listing(work_ / "o");
+  const Result r =
+      run("process room.pcd --out o --export dxf,pgm,ply,mesh,geojson,csv,map --robot-radius 0.1 --robot-start 1,0");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(listing(work_ / "o").size(), contract.size() + 11);
+  EXPECT_NE(r.out.find("o/map.yaml\n"), std::string::npos);
+  expectRefused("process room.pcd --out o --export tif", 2, {"--export", "tif", "geotiff"});
+  expectRefused("process room.pcd --out o --export pgm --robot-start 1", 2, {"--robot-start"});
+  expectRefused("process room.pcd --out o --export pgm --robot-height -1", 2, {"--robot-height"});
+  expectRefused("process room.pcd --out o --export pgm --robot-start 70,70", 1, {"robot start"});
 }
 
 TEST_F(Cli, ProcessJsonIsTheRunsDocument) {
@@ -295,6 +315,38 @@ TEST_F(Cli, PoseMovesTheMap) {
   EXPECT_NEAR(document["inputs"][0]["pose"][5], 90, 1e-9);
 }
 
+TEST_F(Cli, ASessionIsWhatItsParametersAre) {
+  write("scans/b.pcd", roomPcd(60, 91));
+  write("s.stratascope",
+        R"({"program": "stratascope", "version": "0.1.0", "session": 1, "inputs": [
+            {"path": "room.pcd", "pose": [-10, 0.5, 0.1, 0, 1, 90]}, {"path": "scans/b.pcd", "pose": [1, 2, 0, 0, 0, 30]}],
+            "parameters": {"epsilon": 0.2, "cell": 0.1}, "window": {"camera": [1, 2, 3]}})");
+  ASSERT_EQ(run("process --session s.stratascope --out a").status, 0);
+  ASSERT_EQ(run("process room.pcd scans/b.pcd --pose -10,0.5,0.1,0,1,90 --pose 1,2,0,0,0,30 --epsilon 0.2 --cell 0.1 "
+                "--out b --threads 1")
+                .status,
+            0);
+  ASSERT_EQ(listing(work_ / "a"), listing(work_ / "b"));
+  for (const std::string& name : listing(work_ / "a"))
+    if (name != "run.json") {
+      EXPECT_EQ(contentsOf(work_ / "a" / name), contentsOf(work_ / "b" / name)) << name;
+    }
+  json one = runDocument("a"), two = runDocument("b");
+  for (json* document : {&one, &two})
+    for (const char* key : {"seconds", "peak_memory_bytes"}) document->erase(key);
+  EXPECT_EQ(one, two);
+
+  ASSERT_EQ(run("process --session s.stratascope --out c --epsilon 0.3").status, 0);
+  EXPECT_EQ(runDocument("c")["parameters"]["epsilon"], 0.3);
+  EXPECT_EQ(runDocument("c")["parameters"]["cell"], 0.1);
+  write("p.json", "{}");
+  expectRefused("process --session s.stratascope --params p.json --out d", 2, {"--params"});
+  expectRefused("process --session absent.stratascope --out d", 1, {"absent.stratascope"});
+  write("changed.stratascope", R"({"program": "stratascope", "version": "0.1.0", "session": 1, "inputs": [
+      {"path": "room.pcd", "sha256": ")" + std::string(64, '0') + R"("}], "parameters": {}})");
+  expectRefused("process --session changed.stratascope --out d", 1, {"room.pcd", "has changed"});
+}
+
 TEST_F(Cli, SeveralScansGoIntoOneMap) {
   write("b.pcd", roomPcd(60, 91));
   const Result r = run("process room.pcd b.pcd --out o --json");
@@ -302,6 +354,41 @@ TEST_F(Cli, SeveralScansGoIntoOneMap) {
   EXPECT_EQ(json::parse(r.out)["inputs"].size(), 2u);
   EXPECT_TRUE(fs::exists(work_ / "o/cloud.pcd"));
   EXPECT_TRUE(fs::exists(work_ / "o/cloud_1.pcd"));
+}
+
+TEST_F(Cli, MergedRunsAreTheRunOfAllScans) {
+  write("s9.pcd", roomPcd(60, 90));
+  write("s10.pcd", roomPcd(50, 70, "0 0 0.5 1 0 0 0"));
+  const std::string options = " --cell 0.1 --epsilon 0.2 --min-plane-points 30";
+  ASSERT_EQ(run("process s9.pcd --out a" + options).status, 0);
+  ASSERT_EQ(run("process s10.pcd --out b" + options).status, 0);
+  ASSERT_EQ(run("process s9.pcd s10.pcd --out all" + options).status, 0);
+  const Result r = run("merge b a/intervals.csv -o m");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(listing(work_ / "m"),
+            (std::set<std::string>{"height_map.asc", "intervals.csv", "map.strata", "run.json"}));
+  for (const char* name : {"intervals.csv", "height_map.asc", "map.strata"})
+    EXPECT_EQ(contentsOf(work_ / "m" / name), contentsOf(work_ / "all" / name)) << name;
+  ASSERT_EQ(run("merge m -o again.csv").status, 0);
+  EXPECT_EQ(contentsOf(work_ / "again.csv"), contentsOf(work_ / "all/intervals.csv"));
+  const json document = json::parse(run("merge a b -o n.strata --json").out);
+  EXPECT_EQ(document["inputs"].size(), 2u);
+  EXPECT_EQ(document["inputs"][1]["label_base"], 60 * 90);
+  EXPECT_EQ(document["inputs"][1]["parameters"]["min_plane_points"], 30);
+}
+
+TEST_F(Cli, MapsThatDoNotFitAreNotMerged) {
+  ASSERT_EQ(run("process room.pcd --out a").status, 0);
+  ASSERT_EQ(run("process room.pcd --out cells --cell 0.1").status, 0);
+  ASSERT_EQ(run("process room.pcd --out gaps --epsilon 0.3").status, 0);
+  ASSERT_EQ(run("process room.pcd --out rule --intervals paper").status, 0);
+  expectRefused("merge a cells -o m", 1, {"cells/map.strata", "0.1 m", "0.05 m", "--cell"});
+  expectRefused("merge a gaps/intervals.csv -o m", 1, {"gaps/intervals.csv", "0.3 m", "--epsilon"});
+  expectRefused("merge a rule -o m.csv", 1, {"rule/map.strata", "paper", "linked"});
+  expectRefused("merge a absent -o m", 1, {"absent"});
+  expectRefused("merge a room.pcd -o m", 1, {"room.pcd", ".strata"});
+  expectRefused("merge a -o m.png", 1, {"m.png"});
 }
 
 TEST_F(Cli, AFailedRunKeepsTheResultsBefore) {

@@ -18,8 +18,8 @@ namespace {
 const fs::path kRoot = STRATASCOPE_SOURCE_DIR;
 
 /// Folders of core, each of which may include itself and those before it.
-const std::vector<std::string> kCoreOrder = {"base", "scan", "params", "cnn",     "layers",   "segment",
-                                             "map",  "io",   "sim",    "interop", "pipeline", "stream",   "evaluate"};
+const std::vector<std::string> kCoreOrder = {"base", "scan", "params",  "cnn",      "layers", "segment", "map",
+                                             "geo",  "io",   "sim",     "interop", "pipeline", "stream", "evaluate"};
 
 /// {folder, header}: what a folder may include although it stands further down. The snapshot is a bundle of
 /// products without code of its own, and what io exports.
@@ -85,6 +85,17 @@ TEST(IncludeRules, PeersOnlyInInterop) {
       EXPECT_TRUE(include.file.starts_with("core/interop/")) << include.file << " includes " << include.name;
     }
   }
+}
+
+TEST(IncludeRules, GdalOnlyInGeo) {
+  size_t found = 0;
+  for (const Include& include : includesIn("core"))
+    if (include.name.starts_with("gdal") || include.name.starts_with("cpl_") ||
+        include.name.starts_with("ogr")) {
+      EXPECT_TRUE(include.file.starts_with("core/geo/")) << include.file << " includes " << include.name;
+      ++found;
+    }
+  EXPECT_GT(found, 0u);
 }
 
 TEST(IncludeRules, FoldersOfCoreIncludeOneWay) {

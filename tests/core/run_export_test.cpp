@@ -45,8 +45,8 @@ protected:
   fs::path root_;
 };
 
-const std::vector<std::string> kNames{"cloud.pcd",     "edges.json",  "height_map.asc",
-                                      "intervals.csv", "planes.json", "run.json"};
+const std::vector<std::string> kNames{"cloud.pcd",  "edges.json",  "height_map.asc", "intervals.csv",
+                                      "map.strata", "planes.json", "run.json"};
 
 TEST_F(ExportResults, RunJsonSaysWhereEverythingCameFrom) {
   std::ofstream(path("scan.bin"), std::ios::binary) << "abc";

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/expected.h"
+#include "io/provenance.h"
+#include "map/traversability.h"
+
+namespace stratascope {
+
+/// A map for ROS's map_server: what of the extended map a robot can drive.
+struct OccupancyMap {
+  std::string pgm;   ///< binary, northernmost row first: 254 free, 0 occupied, 205 unknown
+  std::string yaml;  ///< resolution, origin, thresholds, and what free means here
+  std::size_t freeCells = 0, occupiedCells = 0, unknownCells = 0;
+  std::string reason;  ///< why nothing is free; empty otherwise
+};
+
+/// Where the robot is known to be. Its start is the nearest place to x, y within 2 m where it can stand, at
+/// no more than a step (10 cm at least) from `ground`.
+struct RobotStart {
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  std::optional<double> ground;  ///< height of the floor there; without it the lowest record within 2 m
+};
+
+/// Free: the robot's centre can come there from its start (see findReachable), so what is in its way is grown
+/// by its radius already. Occupied: seen, but it cannot. Unknown: not seen. `pgmName` goes into the YAML.
+OccupancyMap occupancyMap(const IntervalMap& map, const RobotParams& robot, const RobotStart& start,
+                          const std::string& pgmName, const Provenance& provenance);
+
+}  // namespace stratascope

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/session_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/export.h"
+#include "io/file_util.h"
+#include "io/number_text.h"
+#include "io/scan_io.h"
+#include "io/strict_json.h"
+#include "io/text_lines.h"
+#include "params/param_table.h"
+
+namespace stratascope {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t kMaxBytes = 16u << 20;
+constexpr int kFormat = 1;
+constexpr const char* kRemedy = "open a session the program saved, or open the scans themselves";
+
+bool isSha256(const std::string& text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// What an option's word can look like; which words there are is known where files are read.
+bool isWord(const std::string& text) {
+  return !text.empty() && text.size() <= 32 &&
+         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
+}
+
+std::string poseText(const std::array<double, 6>& pose) {
+  std::string text;
+  for (const double v : pose) text += (text.empty() ? "" : ",") + numberText(v);
+  return text;
+}
+
+/// Relative to the session's folder if it lies there, else absolute.
+std::string storedPath(const std::string& input, const std::string& session) {
+  std::error_code failed;
+  const fs::path full = fs::absolute(input, failed).lexically_normal();
+  const fs::path folder = fs::absolute(session, failed).lexically_normal().parent_path();
+  const fs::path relative = full.lexically_relative(folder);
+  if (failed || relative.empty() || *relative.begin() == "..") return full.string();
+  return relative.generic_string();
+}
+
+std::string openablePath(const std::string& stored, const std::string& session) {
+  if (fs::path(stored).is_absolute()) return stored;
+  return (fs::path(session).parent_path() / stored).lexically_normal().string();
+}
+
+/// Keeps the first problem.
+class SessionReader {
+public:
+  explicit SessionReader(std::string path) : path_(std::move(path)) {}
+
+  void fail(const std::string& key, const std::string& what, const std::string& remedy = kRemedy) {
+    if (!error_) error_ = Error{path_, key.empty() ? "" : "key " + key, what, remedy};
+  }
+  /// Every key must be one of these, and all but optional ones must be there.
+  bool hasKeys(const Json& object, const std::string& place, std::initializer_list<const char*> needed,
+               std::initializer_list<const char*> optional) {
+    if (!object.is_object()) return fail(place, "not an object { … }"), false;
+    const auto prefix = place.empty() ? "" : place + ".";
+    for (const char* key : needed)
+      if (!object.contains(key)) fail(prefix + key, "missing");
+    for (const auto& [key, value] : object.items()) {
+      const auto is = [&](const char* known) { return key == known; };
+      if (std::none_of(needed.begin(), needed.end(), is) &&
+          std::none_of(optional.begin(), optional.end(), is))
+        fail(prefix + quotedText(key), "not known here");
+    }
+    return !error_;
+  }
+  SessionInput input(const Json& json, const std::string& place) {
+    SessionInput input;
+    if (!hasKeys(json, place, {"path"}, {"sha256", "pose", "units", "axes"})) return input;
+    if (!json["path"].is_string() || json["path"].get_ref<const std::string&>().empty())
+      fail(place + ".path", "no file name");
+    else if (json["path"].get_ref<const std::string&>().find('\0') != std::string::npos)
+      fail(place + ".path", "the file name holds a NUL byte");
+    else
+      input.path = openablePath(json["path"].get<std::string>(), path_);
+    if (json.contains("sha256") && !json["sha256"].is_null()) {
+      if (json["sha256"].is_string()) input.sha256 = json["sha256"].get<std::string>();
+      if (!isSha256(input.sha256)) fail(place + ".sha256", "not 64 hexadecimal digits");
+    }
+    if (json.contains("pose") && !json["pose"].is_null()) input.pose = pose(json["pose"], place + ".pose");
+    if (json.contains("units")) input.units = word(json["units"], place + ".units");
+    if (json.contains("axes")) input.axes = word(json["axes"], place + ".axes");
+    return input;
+  }
+  const std::optional<Error>& error() const { return error_; }
+
+private:
+  std::string word(const Json& json, const std::string& place) {
+    const std::string text = json.is_string() ? json.get<std::string>() : "";
+    if (!isWord(text)) fail(place, "not a word such as auto");
+    return text;
+  }
+  std::array<double, 6> pose(const Json& json, const std::string& place) {
+    std::array<double, 6> numbers{};
+    if (!json.is_array() || json.size() != numbers.size() ||
+        !std::all_of(json.begin(), json.end(), [](const Json& v) { return v.is_number(); }))
+      return fail(place, "not six numbers x, y, z, roll, pitch, yaw"), numbers;
+    for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = json[i].get<double>();
+    if (const auto read = poseFromText(poseText(numbers)); !read) fail(place, read.error().what);
+    return numbers;
+  }
+
+  std::string path_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Expected<SessionInput> sessionInput(const std::string& path,
+                                    const std::optional<std::array<double, 6>>& pose) {
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return SessionInput{path, sha256Hex(*bytes), pose};
+}
+
+std::optional<Eigen::Isometry3d> sessionPose(const SessionInput& input) {
+  if (!input.pose) return {};
+  const auto pose = poseFromText(poseText(*input.pose));
+  require(pose.hasValue(), "sessionPose: a pose that cannot be");
+  return *pose;
+}
+
+Expected<std::string> sessionJson(const SessionFile& session, const std::string& path) {
+  const auto window = parseStrictJson(session.window, path);
+  if (!window || !window->is_object())
+    return Error{path, "key window", "not one JSON object",
+                 "this is a fault of the program: please report it"};
+  Json document;
+  document["program"] = "stratascope";
+  document["version"] = versionText();
+  document["session"] = kFormat;
+  document["inputs"] = Json::array();
+  for (const SessionInput& input : session.inputs) {
+    Json entry;
+    entry["path"] = storedPath(input.path, path);
+    entry["sha256"] = input.sha256.empty() ? Json(nullptr) : Json(input.sha256);
+    require(isWord(input.units) && isWord(input.axes), "sessionJson: units or axes that are no words");
+    entry["units"] = input.units;
+    entry["axes"] = input.axes;
+    entry["pose"] = nullptr;
+    if (input.pose) {
+      if (const auto pose = poseFromText(poseText(*input.pose)); !pose)
+        return Error{path, "pose", pose.error().what, pose.error().remedy};
+      entry["pose"] = *input.pose;
+    }
+    document["inputs"].push_back(std::move(entry));
+  }
+  document["parameters"] = Json::parse(paramsToJson(session.params));
+  document["window"] = *window;
+  try {
+    return document.dump(2) + "\n";
+  } catch (const Json::type_error&) {
+    return Error{path, "key inputs", "a scan's file name is not UTF-8, which a session cannot hold",
+                 "rename the file"};
+  }
+}
+
+Expected<SessionFile> sessionFromJson(const std::string& text, const std::string& path) {
+  const auto parsed = parseStrictJson(text, path);
+  if (!parsed) return parsed.error();
+  const Json& document = *parsed;
+  SessionReader reader(path);
+  SessionFile session;
+  if (document.is_object() && (!document.contains("program") || document["program"] != "stratascope"))
+    reader.fail("program", "not \"stratascope\": not a session of this program");
+  if (document.is_object() && document.contains("session") && document["session"] != kFormat)
+    reader.fail("session", "a version of the format that is not known here", "use a newer program");
+  if (reader.hasKeys(document, "", {"program", "version", "session", "inputs", "parameters"}, {"window"})) {
+    if (!document["version"].is_string()) reader.fail("version", "not a text");
+    if (!document["inputs"].is_array() || document["inputs"].empty()) {
+      reader.fail("inputs", "not a list of scans");
+    } else {
+      for (size_t i = 0; i < document["inputs"].size() && !reader.error(); ++i)
+        session.inputs.push_back(reader.input(document["inputs"][i], "inputs[" + std::to_string(i) + "]"));
+    }
+    if (!reader.error()) {
+      auto params = paramsFromJson(jsonLine(document["parameters"]), path);
+      if (!params) {
+        reader.fail("parameters",
+                    params.error().where.empty() ? params.error().what
+                                                 : params.error().where + ": " + params.error().what,
+                    params.error().remedy.empty() ? kRemedy : params.error().remedy);
+        return *reader.error();
+      }
+      session.params = *params;
+    }
+    if (document.contains("window")) {
+      if (!document["window"].is_object()) reader.fail("window", "not an object { … }");
+      session.window = jsonLine(document["window"]);
+    }
+  }
+  if (reader.error()) return *reader.error();
+  return session;
+}
+
+Status writeSession(const SessionFile& session, const std::string& path) {
+  const auto text = sessionJson(session, path);
+  if (!text) return text.error();
+  return writeFileAtomically(path, *text);
+}
+
+Expected<SessionFile> readSession(const std::string& path) {
+  const auto text = readFile(path, kMaxBytes);
+  if (!text) return text.error();
+  return sessionFromJson(*text, path);
+}
+
+Status checkInputs(const SessionFile& session) {
+  for (const SessionInput& input : session.inputs) {
+    const auto now = sessionInput(input.path);
+    if (!now) return now.error();
+    if (!input.sha256.empty() && now->sha256 != input.sha256)
+      return Error{input.path, "", "has changed since the session was saved (its SHA-256 is another)",
+                   "bring the old file back, or open the new one and save the session again"};
+  }
+  return success();
+}
+
+}  // namespace stratascope
