@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/param_options.h"
 #include "app/cli/text_table.h"
 #include "io/scan_io.h"
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 struct InfoOptions {
   std::string scan;
   std::string pose;
+  FrameOptions frame;
   bool json = false;
 };
 
@@ -31,7 +33,7 @@ Json latticeJson(const Scan& scan) {
           {"origin", latticeOriginName(scan.latticeOrigin)}};
 }
 
-std::string asJson(const Scan& scan, const ScanSummary& summary) {
+Json asJson(const Scan& scan, const ScanSummary& summary) {
   const Eigen::Isometry3d sensor = scan.pose.map_T_sensor();
   const RollPitchYaw angles = rollPitchYaw(sensor.linear());
   const Eigen::Quaterniond q(sensor.linear());
@@ -51,8 +53,11 @@ std::string asJson(const Scan& scan, const ScanSummary& summary) {
                              {"pitch", angles.pitchDeg},
                              {"yaw", angles.yawDeg},
                              {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
+  document["unit"] = scan.fileUnit;
+  document["axes"] = scan.fileAxes;
+  document["local_origin"] = array(scan.localOrigin);
   document["notes"] = scan.notes;
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return document;
 }
 
 std::string asText(const Scan& scan, const ScanSummary& summary) {
@@ -82,15 +87,28 @@ std::string asText(const Scan& scan, const ScanSummary& summary) {
   line("fields", fields);
   line("sensor", "at " + fixed(sensor.translation(), 3) + " m, roll " + fixed(angles.rollDeg, 2) + " pitch " +
                      fixed(angles.pitchDeg, 2) + " yaw " + fixed(angles.yawDeg, 2) + " degrees");
+  line("read as", scan.fileUnit + ", " + scan.fileAxes);
+  if (!scan.localOrigin.isZero(0)) line("origin", fixed(scan.localOrigin, 3) + " m: add it to a map coordinate for the file's");
   for (const std::string& sentence : scan.notes) line("note", sentence);
   return text;
 }
 
 Status info(const InfoOptions& options) {
-  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose)});
-  if (!scan) return scan.error();
-  const ScanSummary summary = summarize(*scan);
-  std::cout << (options.json ? asJson(*scan, summary) : asText(*scan, summary));
+  const auto scans =
+      readAllScans(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame(), .localOrigin = {}});
+  if (!scans) return scans.error();
+  // One document: that of the first scan; further scans of the file follow in it.
+  Json document;
+  std::string text;
+  for (const Scan& scan : *scans) {
+    const ScanSummary summary = summarize(scan);
+    text += (text.empty() ? "" : "\n") + asText(scan, summary);
+    if (document.is_null())
+      document = asJson(scan, summary);
+    else
+      document["further_scans"].push_back(asJson(scan, summary));
+  }
+  std::cout << (options.json ? document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n' : text);
   return success();
 }
 
@@ -104,6 +122,7 @@ void addInfo(CLI::App& app, Action& action) {
       "--pose", options->pose,
       "x,y,z,roll,pitch,yaw of the sensor in the map (m, degrees), for a scan in the sensor's own frame");
   command->add_flag("--json", options->json, "One JSON document on standard output");
+  options->frame.addTo(*command);
   command->callback([options, &action] { action = [options] { return info(*options); }; });
 }
 

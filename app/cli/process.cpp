@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/param_options.h"
 #include "app/cli/progress.h"
 #include "app/cli/scan_arguments.h"
@@ -22,6 +23,7 @@ struct ProcessOptions {
   std::vector<std::string> scans;
   std::string out;
   bool json = false;
+  FrameOptions frame;
   ParamOptions params;
 };
 
@@ -76,7 +78,7 @@ Status process(const ProcessOptions& options) {
   if (!settings) return settings.error();
   const auto files = scanFiles(options.scans);
   if (!files) return files.error();
-  auto scans = readScans(*files, settings->poses);
+  auto scans = readScans(*files, settings->poses, options.frame.frame());
   if (!scans) return scans.error();
 
   Pipeline pipeline;
@@ -119,6 +121,7 @@ void addProcess(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--out", options->out, "Directory for the results; made if missing")->required();
   command->add_flag("--json", options->json, "The document of run.json on standard output");
+  options->frame.addTo(*command);
   options->params.addTo(*command);
   command->callback([options, &action] { action = [options] { return process(*options); }; });
 }

@@ -58,7 +58,8 @@ Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arg
 }
 
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
-                                         const std::vector<Eigen::Isometry3d>& poses) {
+                                         const std::vector<Eigen::Isometry3d>& poses,
+                                         const FileFrame& frame) {
   if (!poses.empty() && poses.size() != files.size())
     throw BadArguments("--pose: " + std::to_string(poses.size()) + " for " + std::to_string(files.size()) +
                        " scans; give it once for each scan, or not at all");
@@ -66,13 +67,15 @@ Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
   for (size_t i = 0; i < files.size(); ++i) {
     showProgress("reading " + files[i]);
     ReadOptions options;
+    options.frame = frame;
     if (!poses.empty()) options.pose = poses[i];
-    auto scan = readScan(files[i], options);
-    if (!scan) {
+    if (!scans.empty()) options.localOrigin = scans.front()->localOrigin;
+    auto read = readAllScans(files[i], options);
+    if (!read) {
       endProgress();
-      return scan.error();
+      return read.error();
     }
-    scans.push_back(std::make_shared<const Scan>(*std::move(scan)));
+    for (Scan& scan : *read) scans.push_back(std::make_shared<const Scan>(std::move(scan)));
   }
   endProgress();
   return scans;

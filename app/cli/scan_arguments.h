@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/expected.h"
+#include "io/file_frame.h"
 #include "scan/scan_lattice.h"
 
 namespace stratascope::cli {
@@ -15,8 +16,9 @@ namespace stratascope::cli {
 /// order.
 Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arguments);
 
-/// Reads all files; `poses` is empty or one for each file (else BadArguments).
+/// Reads all scans of all files, in one map with one local origin; `poses` is empty or one for each file (else BadArguments).
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
-                                         const std::vector<Eigen::Isometry3d>& poses);
+                                         const std::vector<Eigen::Isometry3d>& poses,
+                                         const FileFrame& frame = {});
 
 }  // namespace stratascope::cli

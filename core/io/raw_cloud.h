@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/file_frame.h"
 #include "scan/scan_lattice.h"
 
 namespace stratascope {
@@ -26,6 +27,13 @@ struct RawCloud {
   std::optional<Eigen::Isometry3d> map_T_scan;     ///< if the file says
   double ownBodyRange = 0;
   bool wideCoordinates = false;  ///< the file's coordinates hold more digits than a float
+
+  /// The file's coordinate less the point's, in the point's unit and axes.
+  Eigen::Vector3d localOrigin = Eigen::Vector3d::Zero();
+  /// What format or file say of unit and axes; Auto = nothing, so they may be guessed.
+  FileFrame said;
+  /// Unit and axes the reader has turned into metres and ours already (a format that fixes them); Auto = none.
+  FileFrame applied;
 };
 
 /// Beyond this a coordinate in metres is no measurement but a damaged or misread file.

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the Stratascope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/expected.h"
+#include "io/raw_cloud.h"
+
+namespace stratascope {
+
+/// Ranges of a rotating 2D scanner as text. Lines "# key value" first, then a row of column names, then one row a reading:
+///
+///     # polar scan
+///     # head_elevation_first 25      elevation of line 0's scan plane, degrees; +90 = straight up
+///     # head_elevation_step -0.5     from line to line
+///     # beam_first 0                 0 = left, 90 = ahead, 180 = right, degrees
+///     # beam_step 0.5                from beam to beam
+///     # range_unit m                 m, cm or mm; m if left out
+///     line,beam,range
+///     0,0,1.25
+///
+/// Columns are separated by commas, semicolons or blanks, in any order; columns `head_elevation` and `beam_angle` (degrees) may
+/// stand in place of the keys. Readings may come in any order; a range that is 0, negative, nan or left out is a missing return,
+/// and so is a place without a row. The lattice has the largest line and beam plus one.
+Expected<RawCloud> readPolar(const std::string& path, std::string_view bytes);
+
+/// Whether the bytes begin like such a file: "# polar scan", or column names line, beam and range.
+bool looksLikePolar(std::string_view bytes);
+
+}  // namespace stratascope
