@@ -95,7 +95,7 @@ std::string asText(const Scan& scan, const ScanSummary& summary) {
 
 Status info(const InfoOptions& options) {
   const auto scans =
-      readAllScans(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame(), .localOrigin = {}});
+      readAllScans(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame()});
   if (!scans) return scans.error();
   // One document: that of the first scan; further scans of the file follow in it.
   Json document;

@@ -143,7 +143,7 @@ FrameGuess guessFrame(const RawCloud& cloud, const Eigen::Vector3f& sensor) {
   if (camera) {
     const SquareTo surfaces = surfacesSquareTo(cloud);
     // Seen from a level camera floors are square to y; if z were up they would be square to z, and nothing else so often.
-    if (surfaces.y >= 100 && 20 * surfaces.y >= surfaces.all) {
+    if (surfaces.y >= 100 && 50 * surfaces.y >= surfaces.all) {
       guess.frame.axes = FileAxes::YDown;
       guess.notes.push_back("Axes guessed: a camera's frame (x right, y down, z forward), turned so that z is up, with the sensor looking along x: x/z grows evenly with the column and y/z with the row, and " +
                             std::to_string(100 * surfaces.y / surfaces.all) + " % of the surface is level; choose others if that is wrong.");

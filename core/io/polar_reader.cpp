@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <optional>
 
 #include "base/units.h"
 #include "io/text_lines.h"
@@ -77,6 +77,8 @@ class PolarParser {
       if (!problem.empty()) return Error{path_, lines_.where(), problem, kRemedy};
     }
     if (readings_.empty()) return Error{path_, lines_.where(), "there is no reading in the file", kRemedy};
+    if (announced_ && *announced_ != readings_.size())
+      return Error{path_, lines_.where(), std::to_string(readings_.size()) + " readings instead of " + std::to_string(*announced_), "the file may be cut off: copy it again"};
     auto cloud = layOut();
     if (cloud && !lines_.hasLineEnd()) cloud->notes.push_back("The last line has no line end; its last number may be cut off.");
     return cloud;
@@ -90,6 +92,11 @@ class PolarParser {
       const auto unit = lengthUnitFromText(value);
       if (!unit || *unit == LengthUnit::Auto) return "range_unit " + quotedText(value) + " is not m, cm, mm, ft or us-ft";
       metres_ = metresPerUnit(*unit);
+    }
+    if (name == "readings") {
+      if (announced_) return "readings is there twice";
+      announced_ = countFromText(value);
+      if (!announced_) return "readings " + quotedText(value) + " is not a count";
     }
     for (size_t k = 0; k < KeyCount; ++k) {
       if (name != kKeys[k]) continue;
@@ -178,6 +185,7 @@ class PolarParser {
   std::array<int, ColumnCount> at_ = {-1, -1, -1, -1, -1};
   std::array<double, KeyCount> keys_ = {kNaN, kNaN, kNaN, kNaN};
   double metres_ = 1;
+  std::optional<std::uint64_t> announced_;
   std::vector<Reading> readings_;
 };
 

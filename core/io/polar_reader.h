@@ -17,7 +17,8 @@ namespace stratascope {
 ///     # head_elevation_step -0.5     from line to line
 ///     # beam_first 0                 0 = left, 90 = ahead, 180 = right, degrees
 ///     # beam_step 0.5                from beam to beam
-///     # range_unit m                 m, cm or mm; m if left out
+///     # range_unit m                 m, cm, mm, ft or us-ft; m if left out
+///     # readings 81360               if there, the file must hold just so many
 ///     line,beam,range
 ///     0,0,1.25
 ///

@@ -19,9 +19,9 @@ struct ReadOptions {
   std::optional<Eigen::Isometry3d> pose;
   /// Unit and axes of the file's coordinates; Auto = what the format or the file says, else metres with z up unless the data
   /// speak clearly for something else (io/frame_guess.h). A note says what was guessed.
-  FileFrame frame;
+  FileFrame frame = {};
   /// The local origin to count map coordinates from, so that several scans share one; none = the scan's own (Scan::localOrigin).
-  std::optional<Eigen::Vector3d> localOrigin;
+  std::optional<Eigen::Vector3d> localOrigin = {};
 };
 
 /// Every scan of a file, in the file's order (PTX, E57 and scan graphs hold several), all with the first one's local origin.

@@ -179,11 +179,16 @@ TEST(PcdReader, PagePaddingOfOldWritersIsForgivenNothingElse) {
   }
 }
 
-TEST(PcdReader, FarCoordinatesAreReadWithANoteAbsurdOnesAreNot) {
-  const Scan scan = readGood(replaced(asciiFile(), "2.25", "4918340.25"));
-  EXPECT_EQ(scan.lattice->points()[0].y(), 4918340.25F);
-  ASSERT_EQ(scan.notes.size(), 1u);
-  EXPECT_NE(scan.notes[0].find("0.5 m"), std::string::npos) << scan.notes[0];
+TEST(PcdReader, FarCoordinatesKeepTheirDigitsAbsurdOnesAreRefused) {
+  const Scan scan = readGood(replaced(asciiFile(), "2.25", "4918340.251"));
+  EXPECT_EQ(scan.localOrigin, Eigen::Vector3d(0, 4918300, 0));
+  EXPECT_FLOAT_EQ(scan.lattice->points()[0].y(), 40.251F);
+  EXPECT_FLOAT_EQ(scan.lattice->points()[0].x(), 1.5F);
+  // what is far only later has a float's step, and a note says so
+  const Scan later = readGood(replaced(asciiFile(), "1.5 1 -0.5", "1.5 4918340.25 -0.5"));
+  EXPECT_EQ(later.lattice->points()[1].y(), 4918340.25F);
+  ASSERT_EQ(later.notes.size(), 1u);
+  EXPECT_NE(later.notes[0].find("0.5 m"), std::string::npos) << later.notes[0];
   EXPECT_FALSE(readBytes(replaced(asciiFile(), "2.25", "1.0001e9")));
 }
 
