@@ -36,7 +36,7 @@ Expected<Scan> readScan(const std::string& path, const ReadOptions& options = {}
 Expected<Scan> readScanBytes(const std::string& path, std::string bytes, const ReadOptions& options = {});
 
 /// Writes a scan's points in the map frame (bit for bit as they stand where map_T_scan is the identity), so that the file
-/// read back lies where the scan lay. By the extension: .pcd (binary; lattice, or the unordered cloud in its order, and
+/// read back lies where the scan lay; a local origin is added again, in doubles. By the extension: .pcd (binary; lattice, or the unordered cloud in its order, and
 /// map_T_sensor as VIEWPOINT), .xyz/.txt (x y z a line), .csv (x,y,z a line); text leaves missing returns out and has no
 /// lattice. The file is replaced only when the new one is complete.
 Status writeScan(const Scan& scan, const std::string& path);

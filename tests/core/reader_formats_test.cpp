@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <clocale>
 
 #include "io/scan_io.h"
@@ -36,7 +37,8 @@ TEST(ReaderFormats, SmallFilesAreRead) {
 
 TEST(ReaderFormats, ContentWinsOverTheExtension) {
   for (const FormatUnderAttack& format : test::formatsUnderAttack()) {
-    if (format.extension == ".ptx" || format.extension == ".pts") continue;  // no mark of their own
+    constexpr std::array kMarked = {"PCD", "PLY", "polar text", "scan graph", "LAS", "E57"};
+    if (std::find(kMarked.begin(), kMarked.end(), format.name) == kMarked.end()) continue;
     const auto expected = readAll(format, format.valid[0]);
     for (const char* name : {"a.xyz", "b.3d", "c", "d.ptx"}) {
       const auto scans = readAllScanBytes(name, format.valid[0]);

@@ -4,7 +4,9 @@
 
 #include <limits>
 
+#include "support/pcd_files.h"
 #include "support/small_files.h"
+#include "support/text_scan_files.h"
 
 namespace stratascope::test {
 
@@ -392,6 +394,17 @@ FormatUnderAttack e57() {
 
 }  // namespace
 
-std::vector<FormatUnderAttack> formatsUnderAttack() { return {ply(), ptx(), pts(), polar(), scanGraph(), las(), e57()}; }
+std::vector<FormatUnderAttack> formatsUnderAttack() {
+  return {{"PCD", ".pcd", {asciiFile(), binaryFile(), compressedFile()}, hostilePcds()},
+          ply(),
+          ptx(),
+          pts(),
+          {"UOS .3d", ".3d", {uosFile(3, 4), "4 x 3\n" + uosFile(3, 4)}, hostileUosScans(), false},
+          {"XYZ text", ".xyz", {"1 2 3\n4 5 6\n7 8 9\n", "x,y,z,i\n1,2,3,4\n-1,0.5,2,3\n"}, hostileXyzFiles(), false},
+          polar(),
+          scanGraph(),
+          las(),
+          e57()};
+}
 
 }  // namespace stratascope::test
