@@ -58,16 +58,20 @@ struct SquareTo {
   size_t y = 0, z = 0, all = 0;
 };
 SquareTo surfacesSquareTo(const RawCloud& cloud) {
-  constexpr int kReach = 3;  // neurons; evens out a depth camera's steps
+  constexpr int kReach = 3;    // neurons; evens out a depth camera's steps
+  constexpr double kSteep = 8;  // a step longer than that many times its width seen square is a jump
   const double cosine = std::cos(degToRad(20));
   SquareTo found;
   for (int row = kReach; row + kReach < cloud.lines; row += 2)
     for (int col = kReach; col + kReach < cloud.beams; col += 2) {
-      const Eigen::Vector3d across = pointAt(cloud, row, col + kReach) - pointAt(cloud, row, col - kReach);
-      const Eigen::Vector3d down = pointAt(cloud, row + kReach, col) - pointAt(cloud, row - kReach, col);
       const double range = pointAt(cloud, row, col).norm();
-      if (!across.allFinite() || !down.allFinite() || !(std::max(across.norm(), down.norm()) < 0.1 * range)) continue;  // a jump
-      const Eigen::Vector3d normal = across.cross(down).normalized();
+      const auto step = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) -> Eigen::Vector3d {
+        const bool smooth = (to - from).norm() < kSteep * range * (to.normalized() - from.normalized()).norm();
+        return smooth ? Eigen::Vector3d(to - from) : Eigen::Vector3d(Eigen::Vector3d::Constant(kNaN));
+      };
+      const Eigen::Vector3d normal = step(pointAt(cloud, row, col - kReach), pointAt(cloud, row, col + kReach))
+                                         .cross(step(pointAt(cloud, row - kReach, col), pointAt(cloud, row + kReach, col)))
+                                         .normalized();
       if (!normal.allFinite()) continue;
       ++found.all;
       found.y += std::abs(normal.y()) > cosine;
