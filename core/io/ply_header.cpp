@@ -58,6 +58,11 @@ class HeaderParser {
     return "unknown header keyword " + quotedText(keyword);
   }
   bool hasFormat() const { return hasFormat_; }
+  /// PCL announces no faces, without saying what they would be made of.
+  std::string unfinishedElement() const {
+    if (header.elements.empty() || !header.elements.back().properties.empty() || header.elements.back().count == 0) return {};
+    return "element " + quotedText(header.elements.back().name) + " has no property";
+  }
   PlyHeader header;
 
  private:
@@ -89,8 +94,7 @@ class HeaderParser {
   }
 
   std::string takeElement(const std::vector<std::string_view>& tokens) {
-    if (!header.elements.empty() && header.elements.back().properties.empty())
-      return "element " + quotedText(header.elements.back().name) + " has no property";
+    if (std::string problem = unfinishedElement(); !problem.empty()) return problem;
     const auto count = tokens.size() == 3 ? countFromText(tokens[2]) : std::nullopt;
     if (!count || *count > std::numeric_limits<std::int32_t>::max()) return "not 'element NAME COUNT' with a count up to 2147483647";
     for (const PlyElement& element : header.elements)
@@ -164,8 +168,7 @@ Expected<PlyHeader> parsePlyHeader(const std::string& path, std::string_view byt
     }
     if (!parser.hasFormat()) return Error{path, "header", "there is no line 'format …'", remedy};
     PlyHeader& header = parser.header;
-    if (!header.elements.empty() && header.elements.back().properties.empty())
-      return Error{path, lines.where(), "element " + quotedText(header.elements.back().name) + " has no property", remedy};
+    if (std::string problem = parser.unfinishedElement(); !problem.empty()) return Error{path, lines.where(), problem, remedy};
     if ((header.columns == 0) != (header.rows == 0)) return Error{path, "header", "only one of obj_info num_cols and num_rows", remedy};
     header.bodyOffset = static_cast<std::uint64_t>(lines.rest().data() - bytes.data());
     header.bodyLine = lines.number() + 1;

@@ -27,7 +27,7 @@ struct PlyProperty {
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
-  std::vector<PlyProperty> properties;  ///< at least one
+  std::vector<PlyProperty> properties;  ///< at least one, unless count is 0
   bool hasLists() const;
   std::uint64_t rowBytes() const;  ///< in the binary encodings, if it has no lists
   std::optional<size_t> find(std::string_view property) const;

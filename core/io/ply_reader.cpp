@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 
 #include "base/units.h"
 #include "io/local_origin.h"
@@ -74,7 +75,7 @@ class NumberSource {
   bool fits(std::uint64_t rows, const PlyElement& element) const {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) least += ascii() ? 2 : plyTypeBytes(p.countType.value_or(p.type));
-    return rows <= (bytes_.size() - bodyAt() + 1) / least;
+    return rows == 0 || rows <= (bytes_.size() - bodyAt() + 1) / least;
   }
 
   void finish() {
@@ -150,6 +151,7 @@ void readGrid(NumberSource& source, const PlyElement& element, std::uint64_t ver
 }
 
 void skipElement(NumberSource& source, const PlyElement& element) {
+  if (element.count == 0) return;
   if (!source.ascii() && !element.hasLists()) return source.skip(element.count, element.rowBytes());
   for (std::uint64_t row = 0; row < element.count && !source.failed(); ++row) {
     source.beginRow();
@@ -187,6 +189,39 @@ struct VertexReader {
   }
 };
 
+/// The one row of the element camera, by the properties' names.
+using Camera = std::map<std::string, double>;
+
+Camera readCamera(NumberSource& source, const PlyElement& element) {
+  Camera camera;
+  source.beginRow();
+  for (const PlyProperty& property : element.properties) camera[property.name] = source.next(property.type);
+  source.endRow();
+  return camera;
+}
+
+/// PCL keeps a cloud's width, height and sensor pose in a camera.
+void useCamera(RawCloud& cloud, Camera& camera) {
+  Eigen::Matrix3d rotation;
+  for (const int row : {0, 1, 2})
+    for (const int col : {0, 1, 2}) rotation(row, col) = camera[std::string(1, "xyz"[row]) + "_axis" + "xyz"[col]];
+  const Eigen::Vector3d place(camera["view_px"], camera["view_py"], camera["view_pz"]);
+  constexpr double kTolerance = 1e-3;
+  const bool sound = place.allFinite() && place.cwiseAbs().maxCoeff() < kMaxCoordinate && rotation.allFinite() &&
+                     (rotation * rotation.transpose()).isApprox(Eigen::Matrix3d::Identity(), kTolerance) && rotation.determinant() > 0;
+  if (sound) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    if (!rotation.isIdentity(0)) pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+    pose.translation() = place;
+    cloud.scan_T_sensor = pose;
+  }
+  const double width = camera["viewportx"], height = camera["viewporty"];
+  if (cloud.lines == 0 && width >= 1 && height > 1 && width * height == static_cast<double>(cloud.points.size())) {
+    cloud.lines = static_cast<int>(height);
+    cloud.beams = static_cast<int>(width);
+  }
+}
+
 const char* formatName(PlyEncoding encoding) {
   switch (encoding) {
     case PlyEncoding::Ascii: return "PLY ascii";
@@ -222,6 +257,7 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
   NumberSource source(path, bytes, *header);
   VertexReader vertices;
   std::vector<std::int64_t> grid;
+  std::optional<Camera> camera;
   bool found = false;
   for (const PlyElement& element : header->elements) {
     if (!source.fits(element.count, element)) {
@@ -247,6 +283,8 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
         return Error{path, "header", std::to_string(element.count) + " places in the range grid, but num_cols · num_rows is " + std::to_string(header->columns * header->rows),
                      "correct the header, or save the file again"};
       readGrid(source, element, cloud.points.size(), grid);
+    } else if (element.name == "camera" && element.count == 1 && !element.hasLists()) {
+      camera = readCamera(source, element);
     } else {
       skipElement(source, element);
     }
@@ -259,6 +297,7 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
   bytes = {};
   cloud.localOrigin = vertices.origin.origin();
   layOutGrid(cloud, *header, grid);
+  if (camera) useCamera(cloud, *camera);
   return cloud;
 }
 

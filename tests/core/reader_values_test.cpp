@@ -63,6 +63,23 @@ TEST(PlyReader, ColumnsTimesRowsOfVerticesAreALatticeToo) {
   EXPECT_TRUE(hasNote(other, "not used"));
 }
 
+// As PCL writes it: faces that are none, and a camera with the cloud's size and the sensor's pose.
+TEST(PlyReader, PclsCameraHasLatticeAndPose) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nelement camera 1\n"
+      "property float view_px\nproperty float view_py\nproperty float view_pz\nproperty float x_axisx\nproperty float x_axisy\n"
+      "property float x_axisz\nproperty float y_axisx\nproperty float y_axisy\nproperty float y_axisz\nproperty float z_axisx\n"
+      "property float z_axisy\nproperty float z_axisz\nproperty int viewportx\nproperty int viewporty\nend_header\n"
+      "1 2 3\n4 5 6\nnan nan nan\n1 1 1\n7 8 9 0 -1 0 1 0 0 0 0 1 2 2\n";
+  const Scan scan = readOne("a.ply", ply);
+  ASSERT_EQ(scan.lattice->lines(), 2);
+  EXPECT_EQ(scan.lattice->missingCount(), 1u);
+  EXPECT_EQ(scan.pose.map_T_sensor().translation(), Eigen::Vector3d(7, 8, 9));
+  EXPECT_TRUE((scan.pose.map_T_sensor().linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
+  EXPECT_TRUE(readOne("a.ply", replaced(ply, " 2 2\n", " 2 3\n")).unordered());
+  EXPECT_FALSE(readAllScanBytes("a.ply", replaced(ply, "element face 0", "element face 1")));
+}
+
 TEST(PtxReader, ScansStandWhereTheirMatricesSay) {
   const auto scans = readAll("a.ptx", test::ptxFile());
   ASSERT_EQ(scans.size(), 2u);
