@@ -297,14 +297,12 @@ class ScanReader {
     if (std::string problem = boundsOf(*wanted_.row, "rowMinimum", "rowMaximum", firstRow, lastRow); !problem.empty()) return problem;
     if (std::string problem = boundsOf(*wanted_.column, "columnMinimum", "columnMaximum", firstColumn, lastColumn); !problem.empty()) return problem;
     const auto beams = static_cast<std::uint64_t>(lastRow - firstRow + 1), lines = static_cast<std::uint64_t>(lastColumn - firstColumn + 1);
-    std::uint64_t places = 0;
-    // A few points far apart must not ask for a huge lattice.
-    if (__builtin_mul_overflow(beams, lines, &places) || places > 4096 + 16 * records_ || places > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) {
+    if (!latticeIsWarranted(lines, beams, records_, pages_.bytes.size())) {
       cloud.notes.push_back("Its rows and columns are nearly empty, so the lattice is made from the points.");
       return {};
     }
     const Stream rows(fields_[*wanted_.row], pieces_[*wanted_.row]), columns(fields_[*wanted_.column], pieces_[*wanted_.column]);
-    std::vector<Eigen::Vector3f> placed(places, Eigen::Vector3f::Constant(kNaNf));
+    std::vector<Eigen::Vector3f> placed(lines * beams, Eigen::Vector3f::Constant(kNaNf));
     size_t twice = 0;
     for (std::uint64_t i = 0; i < records_; ++i) {
       if (!cloud.points[i].allFinite()) continue;
@@ -340,12 +338,16 @@ Expected<std::vector<RawCloud>> readE57(const std::string& path, std::string byt
   if (!parsed) return Error{path, "XML byte " + std::to_string(parsed.offset), std::string("the XML section: ") + parsed.description(), kDamaged};
   const pugi::xml_node data = document.child("e57Root").child("data3D");
   std::vector<RawCloud> scans;
+  std::uint64_t records = 0;
   for (const pugi::xml_node& child : data.children()) {
     if (child.type() != pugi::node_element) continue;
     constexpr size_t kMostScans = 4096;
     if (scans.size() == kMostScans) return Error{path, "data3D", "more than 4096 scans", "split the file"};
     auto scan = ScanReader(path, *pages, child, "scan " + std::to_string(scans.size() + 1)).read();
     if (!scan) return scan.error();
+    // Many scans may name the same bytes: each record is counted, and takes three bytes at least.
+    records += static_cast<std::uint64_t>(child.child("points").attribute("recordCount").as_ullong());
+    if (records > pages->bytes.size() / 3) return Error{path, "data3D", "its scans announce more records than the file can hold", kDamaged};
     scans.push_back(std::move(scan).value());
   }
   if (scans.empty()) return Error{path, "data3D", "there is no scan in the file", "choose another file"};

@@ -61,7 +61,7 @@ struct Reading {
 
 class PolarParser {
  public:
-  PolarParser(const std::string& path, std::string_view bytes) : path_(path), lines_(bytes) {}
+  PolarParser(const std::string& path, std::string_view bytes) : path_(path), lines_(bytes), fileBytes_(bytes.size()) {}
 
   Expected<RawCloud> parse() {
     while (lines_.next()) {
@@ -156,8 +156,7 @@ class PolarParser {
       lines = std::max<std::uint64_t>(lines, r.line + 1ULL);
       beams = std::max<std::uint64_t>(beams, r.beam + 1ULL);
     }
-    // A few readings far apart must not ask for a huge lattice.
-    if (lines * beams > 4096 + 16 * readings_.size())
+    if (!latticeIsWarranted(lines, beams, readings_.size(), fileBytes_))
       return Error{path_, "", std::to_string(readings_.size()) + " readings for " + std::to_string(lines) + " lines of " + std::to_string(beams) + " beams",
                    "are line and beam mixed up with something else? Most places of the lattice need a reading"};
     RawCloud cloud;
@@ -180,6 +179,7 @@ class PolarParser {
 
   const std::string& path_;
   TextLines lines_;
+  std::uint64_t fileBytes_;
   std::vector<std::string_view> columns_;
   char separator_ = ',';
   std::array<int, ColumnCount> at_ = {-1, -1, -1, -1, -1};

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,5 +40,14 @@ struct RawCloud {
 /// Beyond this a coordinate in metres is no measurement but a damaged or misread file.
 inline constexpr double kMaxCoordinate = 1e9;
 inline bool isAbsurdCoordinate(double metres) { return std::isfinite(metres) && std::abs(metres) > kMaxCoordinate; }
+
+/// Whether a lattice that a file only describes may be laid out: a few points far apart, or a lattice much larger than its file,
+/// must not ask for memory the file's size does not warrant.
+inline bool latticeIsWarranted(std::uint64_t lines, std::uint64_t beams, std::uint64_t points, std::uint64_t fileBytes) {
+  constexpr std::uint64_t kFreeBytes = std::uint64_t{192} << 20;
+  constexpr std::uint64_t kPlaceBytes = 2 * sizeof(Eigen::Vector3f);  // laid out once, then built
+  std::uint64_t places = 0;
+  return !__builtin_mul_overflow(lines, beams, &places) && places <= 4096 + 16 * points && places <= (kFreeBytes + 3 * fileBytes) / kPlaceBytes;
+}
 
 }  // namespace stratascope

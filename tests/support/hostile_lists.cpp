@@ -373,6 +373,7 @@ FormatUnderAttack e57() {
   made("a pose of text", {.pose = "<pose><translation><x>here</x></translation></pose>"});
   made("a zero quaternion", {.pose = "<pose><rotation><w>0</w></rotation></pose>"});
   made("a long quaternion", {.pose = "<pose><rotation><w>100</w></rotation></pose>"});
+  made("5000 scans of the same bytes", {.times = 5000});
   const auto logicalChanged = [&](const char* name, size_t at, const std::string& bytes) {
     std::string changed = good;
     changed.replace(at, bytes.size(), bytes);

@@ -172,10 +172,11 @@ std::string e57File(const E57Options& options) {
                                           R"(<rowIndex type="Integer" minimum="0" maximum="3"/><columnIndex type="Integer" minimum="0" maximum="3"/>)" +
                                           R"(<cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)"
                                     : options.prototype;
-  const std::string xml = R"(<?xml version="1.0" encoding="UTF-8"?>)" + options.xmlPrefix +
-                          R"(<e57Root type="Structure"><data3D type="Vector"><vectorChild type="Structure">)" + options.pose + options.bounds + "<points " +
-                          options.pointsAttributes + R"(><prototype type="Structure">)" + prototype + R"(</prototype><codecs type="Vector">)" + options.codecs +
-                          "</codecs></points></vectorChild></data3D></e57Root>";
+  std::string xml = R"(<?xml version="1.0" encoding="UTF-8"?>)" + options.xmlPrefix + R"(<e57Root type="Structure"><data3D type="Vector">)";
+  for (int i = 0; i < options.times; ++i)
+    xml += R"(<vectorChild type="Structure">)" + options.pose + options.bounds + "<points " + options.pointsAttributes + R"(><prototype type="Structure">)" + prototype +
+           R"(</prototype><codecs type="Vector">)" + options.codecs + "</codecs></points></vectorChild>";
+  xml += "</data3D></e57Root>";
   const std::uint64_t xmlAt = logical.size();
   logical += xml;
   std::string file = e57FromLogical(logical, xmlAt, xml.size());

@@ -44,6 +44,7 @@ struct E57Options {
   std::string pose = R"(<pose type="Structure"><rotation type="Structure"><w type="Float">1</w></rotation><translation type="Structure"><x type="Float">1</x><y type="Float">2</y></translation></pose>)";
   std::string bounds = R"(<indexBounds type="Structure"><rowMaximum type="Integer">2</rowMaximum><columnMaximum type="Integer">2</columnMaximum></indexBounds>)";
   bool checksums = true;
+  int times = 1;  ///< how often the scan is named
 };
 /// One scan of six points in a lattice of 3 columns × 3 rows, one marked invalid; scaled integers of 24 bits.
 std::string e57File(const E57Options& options = {});
