@@ -287,6 +287,8 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
       camera = readCamera(source, element);
     } else {
       skipElement(source, element);
+      if (element.name == "face" && element.count > 0)
+        cloud.notes.push_back("A mesh's vertices: the file tells neither where the scanner stood nor which way is up; the origin and z are taken.");
     }
     if (source.failed()) return source.error();
   }
