@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/param_options.h"
 #include "app/cli/progress.h"
 #include "io/scan_io.h"
@@ -12,6 +13,7 @@ namespace {
 
 struct ConvertOptions {
   std::string scan, out, pose;
+  FrameOptions frame;
 };
 
 /// Throws BadArguments unless a format that can be written has the extension of `path`.
@@ -29,7 +31,7 @@ void requireWritable(const std::string& path) {
 
 Status convert(const ConvertOptions& options) {
   requireWritable(options.out);
-  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose)});
+  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame()});
   if (!scan) return scan.error();
   const Status written = writeScan(*scan, options.out);
   if (!written) return written;
@@ -52,6 +54,7 @@ void addConvert(CLI::App& app, Action& action) {
       "--pose", options->pose,
       "x,y,z,roll,pitch,yaw of the sensor in the map (m, degrees), for a scan in the sensor's own frame; OUT "
       "is written in the map frame");
+  options->frame.addTo(*command);
   command->callback([options, &action] { action = [options] { return convert(*options); }; });
 }
 

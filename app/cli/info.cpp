@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/param_options.h"
 #include "app/cli/text_table.h"
 #include "base/units.h"
@@ -22,6 +23,7 @@ using Json = nlohmann::ordered_json;
 struct InfoOptions {
   std::string scan;
   std::string pose;
+  FrameOptions frame;
   bool json = false;
 };
 
@@ -41,7 +43,7 @@ double rangeNoise(const Scan& scan) {
   return scan.unordered() ? kNaN : estimateRangeNoise(computePoints(scan, {})).overall();
 }
 
-std::string asJson(const Scan& scan, const ScanSummary& summary) {
+Json asJson(const Scan& scan, const ScanSummary& summary) {
   const Eigen::Isometry3d sensor = scan.pose.map_T_sensor();
   const RollPitchYaw angles = rollPitchYaw(sensor.linear());
   const Eigen::Quaterniond q(sensor.linear());
@@ -63,8 +65,11 @@ std::string asJson(const Scan& scan, const ScanSummary& summary) {
                              {"pitch", angles.pitchDeg},
                              {"yaw", angles.yawDeg},
                              {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
+  document["unit"] = scan.fileUnit;
+  document["axes"] = scan.fileAxes;
+  document["local_origin"] = array(scan.localOrigin);
   document["notes"] = scan.notes;
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return document;
 }
 
 std::string asText(const Scan& scan, const ScanSummary& summary) {
@@ -98,15 +103,28 @@ std::string asText(const Scan& scan, const ScanSummary& summary) {
   line("fields", fields);
   line("sensor", "at " + fixed(sensor.translation(), 3) + " m, roll " + fixed(angles.rollDeg, 2) + " pitch " +
                      fixed(angles.pitchDeg, 2) + " yaw " + fixed(angles.yawDeg, 2) + " degrees");
+  line("read as", scan.fileUnit + ", " + scan.fileAxes);
+  if (!scan.localOrigin.isZero(0)) line("origin", fixed(scan.localOrigin, 3) + " m: add it to a map coordinate for the file's");
   for (const std::string& sentence : scan.notes) line("note", sentence);
   return text;
 }
 
 Status info(const InfoOptions& options) {
-  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose)});
-  if (!scan) return scan.error();
-  const ScanSummary summary = summarize(*scan);
-  std::cout << (options.json ? asJson(*scan, summary) : asText(*scan, summary));
+  const auto scans =
+      readAllScans(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame()});
+  if (!scans) return scans.error();
+  // One document: that of the first scan; further scans of the file follow in it.
+  Json document;
+  std::string text;
+  for (const Scan& scan : *scans) {
+    const ScanSummary summary = summarize(scan);
+    text += (text.empty() ? "" : "\n") + asText(scan, summary);
+    if (document.is_null())
+      document = asJson(scan, summary);
+    else
+      document["further_scans"].push_back(asJson(scan, summary));
+  }
+  std::cout << (options.json ? document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n' : text);
   return success();
 }
 
@@ -120,6 +138,7 @@ void addInfo(CLI::App& app, Action& action) {
       "--pose", options->pose,
       "x,y,z,roll,pitch,yaw of the sensor in the map (m, degrees), for a scan in the sensor's own frame");
   command->add_flag("--json", options->json, "One JSON document on standard output");
+  options->frame.addTo(*command);
   command->callback([options, &action] { action = [options] { return info(*options); }; });
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/param_options.h"
 #include "app/cli/progress.h"
 #include "app/cli/scan_arguments.h"
@@ -27,6 +28,7 @@ struct ProcessOptions {
   bool json = false;
   std::string exports, robotStart;
   RobotParams robot;
+  FrameOptions frame;
   ParamOptions params;
 };
 
@@ -101,6 +103,7 @@ std::vector<const Plane*> planesBySize(const Snapshot& snapshot) {
 struct Job {
   std::vector<std::string> files;
   std::vector<std::optional<Eigen::Isometry3d>> poses;
+  std::vector<FileFrame> frames;
   PipelineParams params;
 };
 
@@ -112,11 +115,14 @@ Expected<Job> jobOfSession(const ProcessOptions& options) {
   const Settings base{session->params, {}};
   const auto settings = options.params.settings(&base);
   if (!settings) return settings.error();
-  Job job{{}, {settings->poses.begin(), settings->poses.end()}, settings->params};
+  Job job{{}, {settings->poses.begin(), settings->poses.end()}, {}, settings->params};
   for (const SessionInput& input : session->inputs) {
-    if (input.units != "auto" || input.axes != "auto")
-      return Error{options.session, "key inputs", "units and axes other than auto cannot be used here yet",
-                   "convert the scan to metres with z up"};
+    const auto unit = lengthUnitFromText(input.units);
+    const auto axes = fileAxesFromText(input.axes);
+    if (!unit || !axes)
+      return Error{options.session, "key inputs", "'" + input.units + "', '" + input.axes + "' are no unit and axes",
+                   "write them as --units and --axes take them"};
+    job.frames.push_back({*unit, *axes});
     job.files.push_back(input.path);
     if (settings->poses.empty()) job.poses.push_back(sessionPose(input));
   }
@@ -130,14 +136,16 @@ Expected<Job> jobOf(const ProcessOptions& options) {
   if (!settings) return settings.error();
   const auto files = scanFiles(options.scans);
   if (!files) return files.error();
-  return Job{*files, {settings->poses.begin(), settings->poses.end()}, settings->params};
+  Job job{*files, {settings->poses.begin(), settings->poses.end()}, {}, settings->params};
+  job.frames.assign(files->size(), options.frame.frame());
+  return job;
 }
 
 Status process(const ProcessOptions& options) {
   const ExtraOptions extra = extraOptions(options);
   const auto job = jobOf(options);
   if (!job) return job.error();
-  auto scans = readScans(job->files, job->poses);
+  auto scans = readScans(job->files, job->poses, job->frames);
   if (!scans) return scans.error();
 
   Pipeline pipeline;
@@ -205,6 +213,7 @@ void addProcess(CLI::App& app, Action& action) {
       ->add_option("--robot-start", options->robotStart,
                    "x,y where it stands in the map (m); without it at the first scan's sensor")
       ->group("Robot");
+  options->frame.addTo(*command);
   options->params.addTo(*command);
   command->callback([options, &action] { action = [options] { return process(*options); }; });
 }

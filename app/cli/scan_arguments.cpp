@@ -58,21 +58,25 @@ Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arg
 }
 
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
-                                         const std::vector<std::optional<Eigen::Isometry3d>>& poses) {
+                                         const std::vector<std::optional<Eigen::Isometry3d>>& poses,
+                                         const std::vector<FileFrame>& frames) {
   if (!poses.empty() && poses.size() != files.size())
     throw BadArguments("--pose: " + std::to_string(poses.size()) + " for " + std::to_string(files.size()) +
                        " scans; give it once for each scan, or not at all");
+  require(frames.empty() || frames.size() == files.size(), "readScans: one frame a file, or none");
   std::vector<ScanPtr> scans;
   for (size_t i = 0; i < files.size(); ++i) {
     showProgress("reading " + files[i]);
     ReadOptions options;
+    if (!frames.empty()) options.frame = frames[i];
     if (!poses.empty()) options.pose = poses[i];
-    auto scan = readScan(files[i], options);
-    if (!scan) {
+    if (!scans.empty()) options.localOrigin = scans.front()->localOrigin;
+    auto read = readAllScans(files[i], options);
+    if (!read) {
       endProgress();
-      return scan.error();
+      return read.error();
     }
-    scans.push_back(std::make_shared<const Scan>(*std::move(scan)));
+    for (Scan& scan : *read) scans.push_back(std::make_shared<const Scan>(std::move(scan)));
   }
   endProgress();
   return scans;

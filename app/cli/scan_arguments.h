@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/expected.h"
+#include "io/file_frame.h"
 #include "scan/scan_lattice.h"
 
 namespace stratascope::cli {
@@ -16,8 +17,10 @@ namespace stratascope::cli {
 /// order.
 Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arguments);
 
-/// Reads all files; `poses` is empty or one for each file (else BadArguments), none = what the file says.
+/// Reads all scans of all files, in one map with one local origin; `poses` is empty or one for each file (else
+/// BadArguments), none = what the file says; `frames` is empty (as the files say) or one for each file.
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
-                                         const std::vector<std::optional<Eigen::Isometry3d>>& poses);
+                                         const std::vector<std::optional<Eigen::Isometry3d>>& poses,
+                                         const std::vector<FileFrame>& frames = {});
 
 }  // namespace stratascope::cli

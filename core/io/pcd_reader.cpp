@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/units.h"
+#include "io/local_origin.h"
 #include "io/lzf.h"
 #include "io/text_lines.h"
 
@@ -205,6 +206,7 @@ Expected<RawCloud> readPcd(const std::string& path, std::string bytes) {
   if (!columns) return columns.error();
   bytes = {};  // free the file before the points are laid out
 
+  LocalOrigin origin;
   cloud.points.resize(header->points);
   for (size_t i = 0; i < cloud.points.size(); ++i) {
     const Eigen::Vector3d p((*columns)[0][i], (*columns)[1][i], (*columns)[2][i]);
@@ -212,8 +214,9 @@ Expected<RawCloud> readPcd(const std::string& path, std::string bytes) {
       if (isAbsurdCoordinate(v))
         return Error{path, "point " + std::to_string(i), "a coordinate of " + shortestText(v) + " m",
                      "is the file damaged, or in another unit? Coordinates are metres, at most 1e9"};
-    cloud.points[i] = p.allFinite() ? Eigen::Vector3f(p.cast<float>()) : Eigen::Vector3f::Constant(kNaNf);
+    cloud.points[i] = cloud.wideCoordinates ? origin.shifted(p) : p.allFinite() ? Eigen::Vector3f(p.cast<float>()) : Eigen::Vector3f::Constant(kNaNf);
   }
+  cloud.localOrigin = origin.origin();
   if (header->height > 1) {
     cloud.lines = static_cast<int>(header->height);
     cloud.beams = static_cast<int>(header->width);

@@ -57,6 +57,9 @@ Expected<Json> inputEntry(const ScanProducts& products) {
   entry["pose"] = poseNumbers(scan.pose.map_T_scan);
   const Eigen::Vector3d sensor = scan.pose.map_T_sensor().translation();
   entry["sensor"] = {sensor.x(), sensor.y(), sensor.z()};
+  entry["unit"] = scan.fileUnit;
+  entry["axes"] = scan.fileAxes;
+  entry["local_origin"] = {scan.localOrigin.x(), scan.localOrigin.y(), scan.localOrigin.z()};
   entry["fields"] = scan.fields;
   entry["notes"] = scan.notes;
   return entry;

@@ -19,14 +19,7 @@ constexpr double kOwnBodyRange = 0.48;          // nearer returns are the robot
 const double kNewLineFall = degToRad(60);       // a line sweeps 180° and starts again
 constexpr std::uint64_t kMaxColumns = 256;
 
-/// UOS axes (x right, y up, z forward) to ours (x forward, y left, z up).
-Eigen::Matrix3d ours_R_uos() {
-  Eigen::Matrix3d axes;
-  axes << 0, 0, 1,
-         -1, 0, 0,
-          0, 1, 0;
-  return axes;
-}
+Eigen::Matrix3d ours_R_uos() { return oursFromFileAxes(FileAxes::YUpForward); }
 
 /// "360 x 225" or "360x225"
 bool isSizeLine(std::string_view line) {
@@ -58,6 +51,7 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
   cloud.format = "UOS .3d";
   cloud.ownBodyRange = kOwnBodyRange;
   cloud.wideCoordinates = true;
+  cloud.said = cloud.applied = {LengthUnit::Centimetre, FileAxes::YUpForward};
   std::vector<double> angles;  // of each point to UOS x, 0 at the right end of a line
   std::uint64_t columns = 0;
   std::uint64_t firstRow = 0;

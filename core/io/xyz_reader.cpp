@@ -6,7 +6,7 @@
 #include <array>
 #include <cctype>
 
-#include "base/units.h"
+#include "io/local_origin.h"
 #include "io/text_lines.h"
 
 namespace stratascope {
@@ -83,6 +83,7 @@ Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
   std::array<size_t, 3> coordinates = {0, 1, 2};
   std::vector<std::string_view> columns;
   std::uint64_t firstRow = 0;  // its line; 0 = none yet
+  LocalOrigin origin;
 
   TextLines lines(bytes);
   while (lines.next()) {
@@ -119,8 +120,9 @@ Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
         return Error{path, lines.where(), "a coordinate of " + shortestText(v) + " m",
                      "is the file damaged, or in another unit? Coordinates are metres, at most 1e9"};
     if (!lines.hasLineEnd()) cloud.notes.push_back("The last line has no line end; its last number may be cut off.");
-    cloud.points.push_back(p.allFinite() ? Eigen::Vector3f(p.cast<float>()) : Eigen::Vector3f::Constant(kNaNf));
+    cloud.points.push_back(origin.shifted(p));
   }
+  cloud.localOrigin = origin.origin();
   return cloud;
 }
 

@@ -67,6 +67,11 @@ struct Scan {
   std::vector<std::string> notes;   ///< one sentence each: what was recovered, dropped, guessed
   /// Returns nearer than this are the robot itself, by the format's convention; 0 = no such convention. Metres.
   double ownBodyRange = 0;
+  /// A coordinate of the file in metres and our axes (moved by map_T_scan) = a map coordinate + this: how far coordinates, a
+  /// survey's eastings and northings, keep their digits. Zero where the map's frame is the file's. Metres.
+  Eigen::Vector3d localOrigin = Eigen::Vector3d::Zero();
+  std::string fileUnit;  ///< the unit the file's coordinates were read in: "m", "cm", …; empty if no file
+  std::string fileAxes;  ///< the axes they were read in: "z-up", "y-down", …; empty if no file
 
   /// Only for Projected lattices: every point of the file in its order, scan frame, NaN kept…
   std::vector<Eigen::Vector3f> cloud;

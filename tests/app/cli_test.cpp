@@ -553,3 +553,45 @@ TEST_F(Cli, InfoEstimatesTheScansNoise) {
   EXPECT_NE(run("info s.pcd").out.find("noise"), std::string::npos);
   EXPECT_LT(json::parse(run("info n.pcd --json").out)["noise"].get<double>(), 0.002);
 }
+
+TEST_F(Cli, UnitsAndAxesAreTakenAsAskedForAndNamed) {
+  const Result plain = run("info room.pcd --json");
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  const json first = json::parse(plain.out);
+  EXPECT_EQ(first.at("unit"), "m");
+  EXPECT_EQ(first.at("axes"), "z-up");
+  EXPECT_EQ(first.at("local_origin"), json::array({0.0, 0.0, 0.0}));
+  const json feet = json::parse(run("info room.pcd --json --units ft --axes z-down").out);
+  EXPECT_EQ(feet.at("unit"), "ft");
+  EXPECT_NEAR(feet.at("bounds").at("max")[2].get<double>(), -0.3048 * first.at("bounds").at("min")[2].get<double>(), 1e-6);
+  EXPECT_NEAR(feet.at("sensor_pose").at("position")[2].get<double>(), -0.3048, 1e-9);
+  ASSERT_EQ(run("process room.pcd --out out --units cm").status, 0);
+  const json input = runDocument("out").at("inputs")[0];
+  EXPECT_EQ(input.at("unit"), "cm");
+  EXPECT_EQ(input.at("axes"), "z-up");
+  ASSERT_EQ(run("convert room.pcd small.pcd --units cm").status, 0);
+  EXPECT_NEAR(json::parse(run("info small.pcd --json").out).at("bounds").at("max")[1].get<double>(), 0.03, 1e-6);
+  expectRefused("info room.pcd --units inch", 2, {"--units"});
+  expectRefused("process room.pcd --out o --axes up", 2, {"--axes"});
+}
+
+TEST_F(Cli, EveryScanOfAFileIsRead) {
+  std::string ptx;
+  for (const char* place : {"500000 4000000 100 1", "500001 4000000 100 1"}) {
+    ptx += std::string("40\n30\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n") + place + "\n";
+    for (int column = 0; column < 40; ++column)
+      for (int row = 0; row < 30; ++row) ptx += "2 " + std::to_string(2.0 - column * 0.1) + " " + std::to_string(row * 0.1 - 1.5) + " 0.5\n";
+  }
+  write("two.ptx", ptx);
+  const json info = json::parse(run("info two.ptx --json").out);
+  EXPECT_EQ(info.at("lattice").at("lines"), 40);
+  ASSERT_EQ(info.at("further_scans").size(), 1u);
+  EXPECT_NEAR(info["further_scans"][0].at("bounds").at("max")[0].get<double>(), 3, 1e-9);
+  const Result processed = run("process two.ptx --out out");
+  ASSERT_EQ(processed.status, 0) << processed.err;
+  EXPECT_TRUE(fs::exists(work_ / "out" / "cloud_1.pcd"));
+  const json inputs = runDocument("out").at("inputs");
+  ASSERT_EQ(inputs.size(), 2u);
+  EXPECT_EQ(inputs[1].at("name"), "two.ptx 2");
+  EXPECT_EQ(inputs[1].at("local_origin"), json::array({500000.0, 4000000.0, 0.0}));
+}

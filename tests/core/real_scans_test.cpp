@@ -163,18 +163,99 @@ TEST(RealScans, MergedRoomBecomesADenseProjection) {
   expectGoodProjection(readReal(path), 237907);
 }
 
-TEST(RealScans, RoomScanWithoutItsLatticeBecomesADenseProjection) {
+// Each line stands twice in a row, and missing returns are dropped; the description says 318 lines of 181 beams.
+TEST(RealScans, RoomScanGetsItsLatticeBack) {
   STRATASCOPE_NEED_SCAN(path, "room_scan1.pcd");
-  expectGoodProjection(readReal(path), 112586);
+  const Scan scan = readReal(path);
+  EXPECT_EQ(scan.latticeOrigin, LatticeOrigin::Recovered);
+  ASSERT_EQ(scan.lattice->lines(), 318);
+  ASSERT_EQ(scan.lattice->beams(), 181);
+  EXPECT_EQ(scan.lattice->points().size() - scan.lattice->missingCount(), 112586u / 2);
+  for (int line = 0; line < 318; ++line) {
+    double last = 4;
+    for (int beam = 0; beam < 181; ++beam) {
+      const Eigen::Vector3d p = scan.lattice->points()({line, beam}).cast<double>();
+      if (!p.allFinite()) continue;
+      const double elevation = std::atan2(p.z(), std::hypot(p.x(), p.y()));
+      EXPECT_LT(elevation, last);
+      last = elevation;
+    }
+  }
 }
 
-TEST(RealScans, OtherFormatsAreNamedNotMisread) {
-  for (const char* name : {"hdl32_source.ply", "las/lone-star.laz", "las/simple.las", "cottage_01_head.ptx", "pumpAVisualReferenceImage.e57"}) {
-    STRATASCOPE_NEED_SCAN(path, name);
-    const auto scan = readScan(path);
-    ASSERT_FALSE(scan) << name;
-    EXPECT_NE(scan.error().message().find("cannot be read yet"), std::string::npos) << scan.error().message();
+TEST(RealScans, Hdl32HasTurnsOfSortedRings) {
+  STRATASCOPE_NEED_SCAN(path, "hdl32_source.ply");
+  const Scan scan = readReal(path);
+  EXPECT_EQ(scan.latticeOrigin, LatticeOrigin::Recovered);
+  ASSERT_EQ(scan.lattice->lines(), 2181);
+  ASSERT_EQ(scan.lattice->beams(), 32);
+  EXPECT_EQ(scan.lattice->missingCount(), 5107u);
+  for (int beam = 0; beam < 32; ++beam)
+    for (int line = 0; line < 2181; ++line) {
+      const Eigen::Vector3d p = scan.lattice->points()({line, beam}).cast<double>();
+      if (!p.allFinite() || p.norm() < 3) continue;
+      // rings of −30.67° to +10.67°, 1.333° apart
+      EXPECT_NEAR(radToDeg(std::atan2(p.z(), std::hypot(p.x(), p.y()))), -30.67 + beam * 41.34 / 31, 0.1);
+    }
+}
+
+TEST(RealScans, PtxHeadIsFiveColumnsSeenFromItsPlace) {
+  STRATASCOPE_NEED_SCAN(path, "cottage_01_head.ptx");
+  const Scan scan = readReal(path);
+  EXPECT_EQ(scan.latticeOrigin, LatticeOrigin::Native);
+  EXPECT_EQ(scan.lattice->lines(), 5);
+  EXPECT_EQ(scan.lattice->beams(), 868);
+  EXPECT_LT((scan.pose.map_T_sensor().translation() - Eigen::Vector3d(5.72957, -0.355996, -0.393482)).norm(), 1e-9);
+  EXPECT_NEAR(scan.pose.map_T_sensor().linear().determinant(), 1, 1e-12);
+}
+
+TEST(RealScans, E57HasTheLatticeAndBoundsItNames) {
+  STRATASCOPE_NEED_SCAN(path, "pumpAVisualReferenceImage.e57");
+  const Scan scan = readReal(path);
+  ASSERT_EQ(scan.lattice->lines(), 345);
+  ASSERT_EQ(scan.lattice->beams(), 1074);
+  EXPECT_EQ(scan.lattice->points().size() - scan.lattice->missingCount(), 155201u);
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : scan.lattice->points().values())
+    if (p.allFinite()) box.extend(p);
+  EXPECT_LT((box.min() - Eigen::Vector3f(-2.903764F, -5.301103F, -1.899705F)).norm(), 3e-6);
+  EXPECT_LT((box.max() - Eigen::Vector3f(1.721604F, -0.792647F, 1.843003F)).norm(), 3e-6);
+}
+
+TEST(RealScans, LasKeepsItsOriginAndMillimetres) {
+  STRATASCOPE_NEED_SCAN(path, "las/simple.las");
+  const Scan scan = readReal(path);
+  ASSERT_EQ(scan.cloud.size(), 1065u);
+  EXPECT_EQ(scan.localOrigin, Eigen::Vector3d(637000, 849000, 0));
+  double lowest = 1e9, highest = -1e9;
+  for (const Eigen::Vector3f& p : scan.cloud) {
+    lowest = std::min(lowest, p.x() + scan.localOrigin.x());
+    highest = std::max(highest, p.x() + scan.localOrigin.x());
   }
+  EXPECT_NEAR(lowest, 635619.85, 2e-4);
+  EXPECT_NEAR(highest, 638982.55, 2e-4);
+  ReadOptions feet;
+  feet.frame.unit = LengthUnit::SurveyFoot;
+  const Scan metres = readReal(path, feet);
+  EXPECT_NEAR(metres.localOrigin.x() + metres.cloud[0].x(), (scan.localOrigin.x() + scan.cloud[0].x()) * 1200 / 3937, 1e-3);
+  EXPECT_EQ(metres.fileUnit, "us-ft");
+}
+
+TEST(RealScans, OfficeIsTurnedSoThatItsFloorIsBelow) {
+  STRATASCOPE_NEED_SCAN(path, "office1.pcd");
+  const Scan scan = readReal(path);
+  EXPECT_EQ(scan.fileAxes, "y-down");
+  EXPECT_EQ(scan.fileUnit, "m");
+  size_t floor = 0;
+  for (const Eigen::Vector3f& p : scan.lattice->points().values()) floor += std::abs(p.z() + 1.34F) < 0.08F && p.x() > 1.5F;
+  EXPECT_GT(floor, 4000u);
+}
+
+TEST(RealScans, CompressedLasIsNamedNotMisread) {
+  STRATASCOPE_NEED_SCAN(path, "las/lone-star.laz");
+  const auto scan = readScan(path);
+  ASSERT_FALSE(scan);
+  EXPECT_NE(scan.error().message().find("laszip"), std::string::npos) << scan.error().message();
 }
 
 }  // namespace

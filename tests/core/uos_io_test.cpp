@@ -13,29 +13,16 @@
 #include "io/uos_reader.h"
 #include "support/hostile_files.h"
 #include "support/scan_files.h"
+#include "support/text_scan_files.h"
 
 namespace stratascope {
 namespace {
 
-using test::HostileFile;
 using test::putFile;
 using test::replaced;
 using test::TemporaryFolder;
-
-/// A point of a scan line in cm, UOS axes: theta from the right, tilt from the horizon.
-std::string uosRow(double range, double thetaDeg, double tiltDeg) {
-  const double theta = degToRad(thetaDeg), tilt = degToRad(tiltDeg);
-  return shortestText(range * std::cos(theta)) + " " + shortestText(range * std::sin(theta) * std::sin(tilt)) + " " +
-         shortestText(range * std::sin(theta) * std::cos(tilt));
-}
-
-/// `lines` lines from bottom to top, of `beams` points from the right to the left.
-std::string uosFile(int lines, int beams, const std::string& end = "\n", const std::string& extra = "") {
-  std::string text;
-  for (int i = 0; i < lines; ++i)
-    for (int j = 0; j < beams; ++j) text += uosRow(100 + 10 * i + j, 180.0 * j / beams, -20 + 10 * i) + extra + end;
-  return text;
-}
+using test::uosFile;
+using test::uosRow;
 
 Expected<Scan> readBytes(const std::string& bytes) { return readScanBytes("/nowhere/scan.3d", bytes); }
 
@@ -163,26 +150,7 @@ TEST(UosReader, EveryPrefixHasExactlyItsWholeRows) {
 }
 
 TEST(UosReader, RefusesHostileFiles) {
-  const std::string good = uosFile(3, 4);
-  const std::string row = uosRow(101, 45, -20);
-  std::vector<HostileFile> files = {
-      {"empty", ""}, {"blank lines", "\n\n\n"}, {"blanks", "    "}, {"only a size line", "360 x 225\n"}, {"size line twice", "4 x 3\n4 x 3\n" + good},
-      {"size line later", good + "4 x 3\n"}, {"byte-order mark", "\xEF\xBB\xBF" + good}, {"UTF-16", "\xFE\xFF" + good},
-      {"NULs", std::string(10000, '\0')}, {"NUL after number", replaced(good, row, row + std::string(1, '\0'))},
-      {"random bytes", "\x81\x13\xF0\x9A\n\x07"}, {"abc", replaced(good, row, "abc 1 2")}, {"trailing letters", replaced(good, row, "1 2 3x")},
-      {"hexadecimal", replaced(good, row, "0x10 1 2")}, {"decimal comma", replaced(good, row, "1,5 2,5 3,5")}, {"commas", replaced(good, row, "1,2,3")},
-      {"semicolons", replaced(good, row, "1;2;3")}, {"1e999", replaced(good, row, "1e999 2 3")}, {"-1e999", replaced(good, row, "1 2 -1e999")},
-      {"1e-999", replaced(good, row, "1e-999 1 2")}, {"absurd", replaced(good, row, "1e12 2 3")}, {"absurd negative", replaced(good, row, "1 -3e200 3")},
-      {"two numbers", replaced(good, row, "1 2")}, {"one number", replaced(good, row, "1")}, {"four numbers once", replaced(good, row, "1 2 3 4")},
-      {"five numbers first", "1 2 3 4 5\n" + good}, {"++1", replaced(good, row, "++1 2 3")}, {"+-1", replaced(good, row, "+-1 2 3")},
-      {"1..2", replaced(good, row, "1..2 2 3")}, {"1e", replaced(good, row, "1e 2 3")}, {"e5", replaced(good, row, "e5 2 3")}, {"lone minus", replaced(good, row, "- 2 3")},
-      {"10^6 columns", [] { std::string s; for (int i = 0; i < 1000000; ++i) s += "1 "; return s + "\n"; }()},
-      {"a million digits", "1 2 " + std::string(1000000, '9') + "\n"}, {"one endless word", std::string(1 << 20, 'a')},
-      {"only nan", "nan nan nan\nnan nan nan\n"}, {"only inf", "inf inf inf\n"}, {"only zeros", "0 0 0\n0 0 0\n"},
-      {"only status codes", uosRow(3275.9, 0, 0) + "\n" + uosRow(3276.7, 90, 0) + "\n"}, {"old Mac line ends", "1 2 3\r4 5 6\r7 8 9\r"},
-      {"vertical tabs", "1\v2\v3\n"}, {"comment", "# x y z\n" + good}, {"column names", "x y z\n" + good}, {"XML", "<scan><p>1 2 3</p></scan>\n"},
-      {"reflectance is text", replaced(uosFile(3, 4, "\n", " 7"), row + " 7", row + " seven")}, {"PLY", "ply\nformat ascii 1.0\n"}, {"E57", "ASTM-E57" + good}, {"LAS", "LASF\1\2"},
-  };
+  const auto files = test::hostileUosScans();
   ASSERT_GE(files.size(), 40u);
   test::expectAllRefused(".3d", files);
 }

@@ -15,11 +15,11 @@
 #include "scan/scan_builder.h"
 #include "support/hostile_files.h"
 #include "support/scan_files.h"
+#include "support/text_scan_files.h"
 
 namespace stratascope {
 namespace {
 
-using test::HostileFile;
 using test::putFile;
 using test::replaced;
 using test::TemporaryFolder;
@@ -101,21 +101,7 @@ TEST(XyzReader, EveryPrefixHasExactlyItsWholeRows) {
 }
 
 TEST(XyzReader, RefusesHostileFiles) {
-  const std::string good = "1 2 3\n4 5 6\n7 8 9\n";
-  std::vector<HostileFile> files = {
-      {"empty", ""}, {"blank lines", "\n\r\n\n"}, {"only comments", "# a\n// b\n"}, {"only names", "x y z\n"}, {"names twice", "x y z\nx y z\n1 2 3\n"},
-      {"names later", good + "x y z\n"}, {"names of another count", "x y z i\n" + good}, {"two names", "x y\n1 2\n"}, {"prose", "this is not a point cloud\n"},
-      {"byte-order mark", "\xEF\xBB\xBF" + good}, {"UTF-16 LE", "\xFF\xFE" + good}, {"NULs", std::string(5000, '\0')}, {"NUL", std::string("1 2 3\0\n", 7)},
-      {"NUL in number", std::string("1 2\0 3\n", 7)}, {"random bytes", "\x81\x13\xF0\x9A\n\x07"}, {"abc", "1 2 3\n4 abc 6\n"}, {"trailing letters", "1 2 3m\n"},
-      {"hexadecimal", "0x1 2 3\n"}, {"decimal comma", "1,5 2,5 3,5\n"}, {"decimal comma, semicolons", "1,5;2,5;3,5\n"}, {"mixed separators", "1 2,3\n"},
-      {"empty column", "1,,3\n"}, {"leading comma", ",1,2,3\n"}, {"trailing comma", "1,2,3,\n"}, {"1e999", "1 2 1e999\n"}, {"-1e999", "-1e999 2 1\n"},
-      {"1e-999", "1 2 1e-999\n"}, {"absurd", "1 2 2e9\n"}, {"point count first", "3\n" + good}, {"two columns", "1 2\n3 4\n"}, {"short row", "1 2 3\n4 5\n"},
-      {"long row", "1 2 3\n4 5 6 7\n"}, {"text column", "1 2 3 chair\n"}, {"colour as #", "1 2 3 #ff0000\n"}, {"++1", "++1 2 3\n"}, {"+-1", "+-1 2 3\n"}, {"1..2", "1..2 2 3\n"},
-      {"lone minus", "- 2 3\n"}, {"10^6 columns", [] { std::string s; for (int i = 0; i < 1000000; ++i) s += "1 "; return s + "\n"; }()},
-      {"10^6 commas", std::string(1000000, ',')}, {"a million digits", "1 2 " + std::string(1000000, '9') + "\n"}, {"one endless word", std::string(1 << 20, 'a')},
-      {"only nan", "nan nan nan\n"}, {"only zeros", "0 0 0\n"}, {"old Mac line ends", "1 2 3\r4 5 6\r"}, {"XML", "<p>1 2 3</p>\n"}, {"brackets", "[1 2 3]\n"},
-      {"ESRI grid", "ncols 3\nnrows 2\n"}, {"E57", "ASTM-E57abc"}, {"LAS", "LASF\1\2"}, {"PLY", "ply\nformat ascii 1.0\n"}, {"PCD cut off", "# .PCD v0.7\nVERSION 0.7\n"},
-  };
+  const auto files = test::hostileXyzFiles();
   ASSERT_GE(files.size(), 40u);
   test::expectAllRefused(".xyz", files);
 }

@@ -6,7 +6,6 @@
 #include <sys/resource.h>
 
 #include <random>
-#include <stdexcept>
 
 #include "io/scan_io.h"
 
@@ -60,12 +59,6 @@ int readDamagedCopies(const std::string& extension, const std::string& valid, in
     EXPECT_EQ(scan->unordered(), !scan->cloud.empty());
   }
   return refused;
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("replaced: not there");
-  return text.replace(at, from.size(), to);
 }
 
 }  // namespace stratascope::test
