@@ -125,7 +125,8 @@ public:
         const Creases::Kind kind = creases_.between(x.label, y.label);
         if (kind == Creases::Kind::None) continue;
         const bool xIsFarther = x.ahead > y.ahead;
-        (xIsFarther == (kind == Creases::Kind::Convex) ? y : x).cost += kWrongSide;
+        Choice &right = xIsFarther == (kind == Creases::Kind::Convex) ? x : y, &wrong = &right == &x ? y : x;
+        if (right.votes >= kFewestVotes) wrong.cost += kWrongSide;
       }
     std::int32_t best = kNoRegion;
     double least = kInfinite;
@@ -145,6 +146,9 @@ private:
   static constexpr double kInfinite = 1e30;
   static constexpr double kVote = 0.6;  // worth of an agreeing neighbour, beside half a squared error in σ
   static constexpr double kWrongSide = 1e3;
+  // At a straight border three of eight. The line where two planes meet goes on where they do not touch any
+  // more, and a region must not run out along it.
+  static constexpr int kFewestVotes = 3;
 
   void weigh(GridIndex at, Choice& choice) const {
     const Neurons::Misfit misfit = neurons_.misfit(at, planes_[static_cast<size_t>(choice.label)]);
