@@ -23,5 +23,7 @@ void addProcess(CLI::App& app, Action& action);
 void addConvert(CLI::App& app, Action& action);
 void addSimulate(CLI::App& app, Action& action);
 void addScore(CLI::App& app, Action& action);
+void addServe(CLI::App& app, Action& action);
+void addStream(CLI::App& app, Action& action);
 
 }  // namespace stratascope::cli

@@ -34,6 +34,8 @@ int run(int argc, char** argv) {
   cli::addConvert(app, action);
   cli::addSimulate(app, action);
   cli::addScore(app, action);
+  cli::addServe(app, action);
+  cli::addStream(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -112,10 +112,11 @@ std::vector<std::string> provenanceOf(const nlohmann::ordered_json& run, size_t 
 
 }  // namespace
 
-Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory) {
+Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory,
+                                                 std::string_view streamCounters) {
   require(snapshot.heightMap && snapshot.intervalMap && !snapshot.scans.empty(),
           "exportResults: unfinished snapshot");
-  const Expected<std::string> run = runJson(snapshot);
+  const Expected<std::string> run = runJson(snapshot, streamCounters);
   if (!run) return run.error();
   const auto runDocument = nlohmann::ordered_json::parse(*run);
 

@@ -36,20 +36,22 @@ std::string intervalsCsv(const Snapshot& snapshot);
 ///   lines, beams,
 ///                missing, points, pose [x, y, z, roll, pitch, yaw] as --pose takes it, sensor [x, y, z],
 ///                fields, notes}; bytes and sha256 are null for a scan that is no file: an empty path, or one
-///                with "://"
+///                with "://" or that begins with "serial:"
 ///   parameters   every one, as --params reads them
 ///   points       laid down in the map
 ///   counts       {scans, planes, edges, cells (occupied), records}
 ///   seconds      by stageName(), of each stage's last execution
 ///   notes        of the segmentation
 ///   peak_memory_bytes, libraries
+///   stream       only if it came as one: `streamCounters`, a JSON object
 /// Errors: an input file that can no longer be read.
-Expected<std::string> runJson(const Snapshot& snapshot);
+Expected<std::string> runJson(const Snapshot& snapshot, std::string_view streamCounters = {});
 
 /// Writes all of them into `directory` (made if missing), all or nothing: on an error the directory is as it
 /// was. One scan: cloud.pcd. Several: cloud.pcd for the first, cloud_1.pcd … for the others. Returns the
 /// paths written.
-Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory);
+Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory,
+                                                 std::string_view streamCounters = {});
 
 /// The program's version, "0.1.0".
 const char* versionText();
