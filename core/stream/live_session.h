@@ -31,15 +31,15 @@ struct LiveUpdate {
 };
 
 struct LiveOptions {
-  std::string path;  ///< address or file, becomes Scan::path
-  PipelineParams params;
+  std::string path{};  ///< address or file, becomes Scan::path
+  PipelineParams params{};
   int threads = 0;
   NextScan nextScan = NextScan::Clears;
-  std::optional<Eigen::Isometry3d> pose;        ///< see LiveScan
+  std::optional<Eigen::Isometry3d> pose{};      ///< see LiveScan
   int scans = 0;                                ///< stop the source after so many whole scans; 0 = never
   std::chrono::milliseconds shortestPause{50};  ///< between the beginnings of two computations
-  std::function<void()>
-      notify;  ///< an update can be taken; from threads of the session, must not block. May be empty
+  /// An update can be taken; called from threads of the session, must not block. May be empty.
+  std::function<void()> notify{};
 };
 
 /// A stream, the scan it builds, and the pipeline that runs over the scan so far. Whenever the pipeline is

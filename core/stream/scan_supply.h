@@ -19,7 +19,7 @@ enum class Rounds : std::uint8_t { Once, Endless };
 ScanSupply supplyOf(ScanPtr scan, Rounds rounds);
 
 struct SimulatedScans {
-  SimulationOptions simulation;  ///< the seed rises by one a round
+  SimulationOptions simulation{};  ///< the seed rises by one a round
   Rounds rounds = Rounds::Once;
   /// Item of the scene that walks to and fro: along x, by `stride` metres a round, up to `reach` from where
   /// the scene has it. −1 = nothing moves.

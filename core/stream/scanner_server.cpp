@@ -91,6 +91,7 @@ struct ScannerServer::State {
   /// All is sent: stays until the listener asks again (true), is gone, or `until`.
   bool listenOn(Clock::time_point until, const std::stop_token& stop) {
     asked = false;
+    goOn.reset();
     auto alive = Clock::now();
     while (!stop.stop_requested() && Clock::now() < until) {
       if (!listen(milliseconds(50))) return false;
@@ -174,7 +175,6 @@ ScannerServer::~ScannerServer() = default;
 Expected<bool> ScannerServer::serve(ByteLink& link, const std::stop_token& stop) {
   State& s = *state_;
   s.link = &link;
-  s.goOn.reset();
   s.parser = TelegramParser(TelegramParser::Listen::ToDevice);
   s.paused = false;
   const auto greeting = Clock::now() + kGreetingWait;
@@ -189,6 +189,7 @@ Expected<bool> ScannerServer::serve(ByteLink& link, const std::stop_token& stop)
     s.round = 0;
     s.encoder.reset();
   }
+  s.goOn.reset();
   bool over = !resumes;
   while (!stop.stop_requested()) {
     if (over && !s.nextScan()) {
@@ -208,6 +209,7 @@ Status ScannerServer::run(TcpListener& listener, const std::stop_token& stop) {
     if (!link) continue;
     const std::stop_callback cancel(stop, [&] { link->cancel(); });
     s.asked = false;
+    s.goOn.reset();
     bool there = true;
     while (there && !stop.stop_requested()) {
       const Expected<bool> served = serve(*link, stop);

@@ -17,7 +17,7 @@ struct ServeOptions {
   /// Return after the supply has run out, and not wait for the next listener.
   bool once = false;
   /// One line for people: who came, who went. May be empty.
-  std::function<void(const std::string&)> log;
+  std::function<void(const std::string&)> log{};
 };
 
 /// Plays the scanner on a link: sends the scans of a supply, line by line at the scanner's pace, as

@@ -17,7 +17,7 @@ enum class WhenFull : std::uint8_t {
 };
 
 struct TelegramSourceOptions {
-  HeadMotion motion;   ///< for scanners whose head does not speak
+  HeadMotion motion{}; ///< for scanners whose head does not speak
   size_t queue = 256;  ///< items
   WhenFull whenFull = WhenFull::Wait;
   std::chrono::milliseconds quiet{2000};  ///< a peer silent for longer is taken for gone
