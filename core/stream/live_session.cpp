@@ -66,8 +66,8 @@ struct LiveSession::State {
   int scansEnded = 0;
   Clock::time_point lastSubmit = Clock::time_point::min();
 
-  std::unique_ptr<Worker> worker;
-  std::jthread thread;  ///< last: ends first
+  Worker worker{[this] { takeFromWorker(); }, options.threads};  ///< after what its thread touches
+  std::jthread thread;                                           ///< last: ends first
 
   void tell() const {
     if (options.notify) options.notify();
@@ -143,7 +143,7 @@ struct LiveSession::State {
       progress.finished = false;
       submitted.push_back({scan, live.arrived(), last, sourceEnded});
     }
-    worker->request(std::vector{std::move(scan)}, with, last ? ScanChange::Replaced : ScanChange::Grown);
+    worker.request(std::vector{std::move(scan)}, with, last ? ScanChange::Replaced : ScanChange::Grown);
   }
 
   void finish() {
@@ -157,7 +157,7 @@ struct LiveSession::State {
 
   /// From the worker's thread.
   void takeFromWorker() {
-    WorkerUpdate update = worker->take();
+    WorkerUpdate update = worker.take();
     const SnapshotPtr before = snapshotNow();
     const int same = update.snapshot && before ? sameLines(*before, *update.snapshot) : 0;
     bool finished = false;
@@ -196,7 +196,6 @@ LiveSession::LiveSession(std::unique_ptr<RowSource> source, LiveOptions options)
   require(source != nullptr, "LiveSession: no source");
   state_ = std::make_unique<State>(std::move(source), std::move(options));
   State& s = *state_;
-  s.worker = std::make_unique<Worker>([&s] { s.takeFromWorker(); }, s.options.threads);
   s.thread = std::jthread([&s](const std::stop_token& stop) { s.run(stop); });
 }
 
@@ -205,7 +204,6 @@ LiveSession::~LiveSession() {
   state_->thread.request_stop();
   state_->changed.notify_all();
   state_->thread.join();
-  state_->worker.reset();
 }
 
 void LiveSession::setParams(const PipelineParams& params) {
@@ -216,7 +214,7 @@ void LiveSession::setParams(const PipelineParams& params) {
     if (s.submitted.empty()) return;
     s.workerBusy = true;
   }
-  s.worker->request(std::nullopt, params);
+  s.worker.request(std::nullopt, params);
 }
 
 Transport* LiveSession::transport() {

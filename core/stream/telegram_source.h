@@ -17,8 +17,8 @@ enum class WhenFull : std::uint8_t {
 };
 
 struct TelegramSourceOptions {
-  HeadMotion motion{}; ///< for scanners whose head does not speak
-  size_t queue = 256;  ///< items
+  HeadMotion motion{};  ///< for scanners whose head does not speak
+  size_t queue = 256;   ///< items
   WhenFull whenFull = WhenFull::Wait;
   std::chrono::milliseconds quiet{2000};  ///< a peer silent for longer is taken for gone
   std::chrono::milliseconds giveUp{0};    ///< without a byte for longer: Failed; 0 = tries for ever

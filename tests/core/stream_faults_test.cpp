@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What can go wrong between a scanner and its listener, on a real socket. The first test prints the table of faults:
-// tests/run --streams
+// What can go wrong between a scanner and its listener, on a real socket. The first test prints the table of
+// faults: tests/run --streams
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -40,7 +40,8 @@ Heard hear(std::uint16_t port, const Scan& sent, const TelegramSourceOptions& op
     if (const auto* line = std::get_if<StreamLine>(&*item)) {
       heard.lines.insert(line->line);
       const auto row = sent.lattice->points().row(line->line);
-      if (line->points.size() != row.size() || std::memcmp(line->points.data(), row.data(), row.size_bytes()) != 0)
+      if (line->points.size() != row.size() ||
+          std::memcmp(line->points.data(), row.data(), row.size_bytes()) != 0)
         ++heard.corrupt;
     }
     heard.ended = std::holds_alternative<StreamScanEnd>(*item);
@@ -80,7 +81,11 @@ std::uint64_t detected(const Row& row, const StreamCounters& c) {
   if (row.badCrc) return c.badCrc;
   if (row.reconnected) return c.connections - 1;
   if (row.resynchronised) return c.resynchronised;
-  return row.duplicated ? c.duplicated : row.outOfOrder ? c.outOfOrder : row.nak ? c.naks : row.powerOn ? c.powerOns : 0;
+  return row.duplicated   ? c.duplicated
+         : row.outOfOrder ? c.outOfOrder
+         : row.nak        ? c.naks
+         : row.powerOn    ? c.powerOns
+                          : 0;
 }
 
 TEST(StreamFaults, EveryFaultIsCountedAndNothingWrongIsShown) {
@@ -128,8 +133,8 @@ TEST(StreamFaults, EveryFaultIsCountedAndNothingWrongIsShown) {
                                     : n == 0   ? "-"
                                     : row.lost ? "the next line"
                                                : "the same line";
-      std::printf("%-28s %9zu %9llu %6d  %s\n", row.name, n, static_cast<unsigned long long>(detected(row, c)), lost,
-                  recovered.c_str());
+      std::printf("%-28s %9zu %9llu %6d  %s\n", row.name, n,
+                  static_cast<unsigned long long>(detected(row, c)), lost, recovered.c_str());
     }
   }
   std::printf("\n");
@@ -155,7 +160,8 @@ TEST(StreamFaults, FiftyCutsLeaveNothingBehind) {
     for (const milliseconds outage : proxy.outages()) longest = std::max(longest, outage);
     EXPECT_LE(longest, 2s);
     std::printf("%zu cuts: %llu lines of 408 lost, resumed in at most %lld ms\n", proxy.outages().size(),
-                static_cast<unsigned long long>(heard.counters.missing), static_cast<long long>(longest.count()));
+                static_cast<unsigned long long>(heard.counters.missing),
+                static_cast<long long>(longest.count()));
   }
   EXPECT_EQ(test::openDescriptors(), descriptors);
   EXPECT_EQ(test::runningThreads(), threads);

@@ -124,7 +124,9 @@ TEST(StreamLive, ASweepOverwritesTheOneBefore) {
   const ScanPtr first = streamScan({.seed = 1, .lines = 20, .beams = 21});
   auto second = std::make_shared<Scan>(*streamScan({.seed = 2, .lines = 20, .beams = 21}));
   second->pose = first->pose;
-  const ScanSupply both = [&](std::uint32_t round) { return round == 0 ? first : round == 1 ? ScanPtr(second) : nullptr; };
+  const ScanSupply both = [&](std::uint32_t round) {
+    return round == 0 ? first : round == 1 ? ScanPtr(second) : nullptr;
+  };
   for (const NextScan next : {NextScan::Clears, NextScan::Overwrites}) {
     const auto source = makeReplay(both, {.speed = 0});
     LiveScan live("test", next);
@@ -153,7 +155,8 @@ TEST(StreamLive, ASessionEndsWithTheBatchResult) {
   const SnapshotPtr wanted = batch(scan, params);
   for (const int threads : {1, 2})
     for (const double speed : {0.0, 20.0}) {
-      LiveSession session(replayOf(scan, speed), {.path = "replay", .params = params, .threads = threads, .shortestPause = 1ms});
+      LiveSession session(replayOf(scan, speed),
+                          {.path = "replay", .params = params, .threads = threads, .shortestPause = 1ms});
       ASSERT_TRUE(session.waitFinished(60s));
       const LiveUpdate update = session.take();
       ASSERT_TRUE(update.snapshot);
@@ -196,8 +199,9 @@ TEST(StreamLive, OverTcpInAnyChunksItIsTheSame) {
       while (!stop.stop_requested() && link->read(rest, 50ms)) {
       }
     });
-    LiveSession session(makeTelegramSource(makeTcpLink("127.0.0.1", listener->port()), "tcp"),
-                        {.path = "tcp://test", .threads = 1 + static_cast<int>(seed % 2), .scans = 1, .shortestPause = 1ms});
+    LiveSession session(
+        makeTelegramSource(makeTcpLink("127.0.0.1", listener->port()), "tcp"),
+        {.path = "tcp://test", .threads = 1 + static_cast<int>(seed % 2), .scans = 1, .shortestPause = 1ms});
     ASSERT_TRUE(session.waitFinished(60s)) << session.progress().message;
     test::expectSameProducts(*session.snapshot(), *wanted);
     EXPECT_EQ(session.progress().counters.received, 130u);
@@ -239,7 +243,8 @@ TEST(StreamLive, OverASerialPortItIsTheSame) {
 
 TEST(StreamLive, StopKeepsWhatArrived) {
   const ScanPtr scan = streamScan({.seed = 44, .lines = 60, .beams = 61});
-  LiveSession session(makeReplay(supplyOf(scan, Rounds::Once), {.speed = 0, .paused = true}), {.path = "replay"});
+  LiveSession session(makeReplay(supplyOf(scan, Rounds::Once), {.speed = 0, .paused = true}),
+                      {.path = "replay"});
   ASSERT_NE(session.transport(), nullptr);
   for (int i = 0; i < 500 && session.progress().lines == 0; ++i) std::this_thread::sleep_for(10ms);
   session.transport()->seek(33);
@@ -282,9 +287,9 @@ TEST(StreamLive, SlidersWorkWhileItStreamsAndAfter) {
 
 TEST(StreamLive, ASourceThatFailsFinishesWithoutAPicture) {
   const auto listener = TcpListener::listen("127.0.0.1", 0).value();
-  LiveSession session(
-      makeTelegramSource(makeTcpLink("127.0.0.1", listener->port()), "mute", {.quiet = 50ms, .giveUp = 200ms}),
-      {.path = "tcp://mute"});
+  LiveSession session(makeTelegramSource(makeTcpLink("127.0.0.1", listener->port()), "mute",
+                                         {.quiet = 50ms, .giveUp = 200ms}),
+                      {.path = "tcp://mute"});
   ASSERT_TRUE(session.waitFinished(20s));
   EXPECT_EQ(session.snapshot(), nullptr);
   EXPECT_EQ(session.progress().state, StreamState::Failed);
@@ -294,7 +299,8 @@ TEST(StreamLive, GoesAwayQuicklyWhileStreaming) {
   const ScanPtr scan = streamScan({.seed = 46, .lines = 206, .beams = 181});
   const int threads = test::runningThreads();
   for (int i = 0; i < 5; ++i) {
-    auto session = std::make_unique<LiveSession>(replayOf(scan, 30, Rounds::Endless), LiveOptions{.path = "replay"});
+    auto session =
+        std::make_unique<LiveSession>(replayOf(scan, 30, Rounds::Endless), LiveOptions{.path = "replay"});
     std::this_thread::sleep_for(milliseconds(20 * i));
     const auto begin = std::chrono::steady_clock::now();
     session.reset();
@@ -314,9 +320,9 @@ TEST(StreamLive, AddressesAreReadStrictly) {
   EXPECT_EQ(serial->host, "/dev/ttyUSB0");
   EXPECT_EQ(serial->baud, 9600u);
   EXPECT_EQ(streamAddressFromText("serial:/dev/ttyS1")->baud, 500000u);
-  for (const char* bad : {"", "tcp://", "tcp://host", "tcp://host:", "tcp://host:0", "tcp://host:70000", "tcp://host:12x",
-                          "tcp://:80", "serial:", "serial:?baud=5", "serial:/dev/x?baud=", "serial:/dev/x?baud=0",
-                          "serial:/dev/x?bits=8", "udp://host:5"})
+  for (const char* bad : {"", "tcp://", "tcp://host", "tcp://host:", "tcp://host:0", "tcp://host:70000",
+                          "tcp://host:12x", "tcp://:80", "serial:", "serial:?baud=5", "serial:/dev/x?baud=",
+                          "serial:/dev/x?baud=0", "serial:/dev/x?bits=8", "udp://host:5"})
     EXPECT_FALSE(streamAddressFromText(bad)) << bad;
 }
 

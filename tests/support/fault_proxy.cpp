@@ -64,8 +64,8 @@ void FaultProxy::run(const std::stop_token& stop) {
   if (!held_.empty()) send(held_, stop);
 }
 
-// What the listener says on coming is read at once: unread bytes would make the next close a reset, which may overtake
-// what was sent.
+// What the listener says on coming is read at once: unread bytes would make the next close a reset, which may
+// overtake what was sent.
 void FaultProxy::passGreeting() {
   std::array<std::uint8_t, 4096> buffer;
   if (const auto said = client_->read(buffer, milliseconds(500)); said && *said > 0)
@@ -101,18 +101,31 @@ void FaultProxy::lineDone(int line, const std::stop_token& stop) {
   const auto at = [&](size_t i) { return victim.begin() + static_cast<std::ptrdiff_t>(i); };
   bool cuts = false;
   switch (plan_.fault) {
-    case Fault::None: break;
-    case Fault::FlipBit: victim[4 + below(payload)] ^= static_cast<std::uint8_t>(1u << below(8)); break;
+    case Fault::None:
+      break;
+    case Fault::FlipBit:
+      victim[4 + below(payload)] ^= static_cast<std::uint8_t>(1u << below(8));
+      break;
     case Fault::FlipFrame: {
       const size_t place = below(6);
       victim[place < 4 ? place : victim.size() - 6 + place] ^= static_cast<std::uint8_t>(1u << below(8));
       break;
     }
-    case Fault::DropByte: victim.erase(at(4 + below(payload))); break;
-    case Fault::InsertByte: victim.insert(at(5 + below(payload - 1)), static_cast<std::uint8_t>(below(256))); break;
-    case Fault::CutTelegram: victim.resize(victim.size() / 2); break;
-    case Fault::LoseLine: line_.clear(); break;
-    case Fault::DoubleLine: line_.push_back(joined(line_)); break;
+    case Fault::DropByte:
+      victim.erase(at(4 + below(payload)));
+      break;
+    case Fault::InsertByte:
+      victim.insert(at(5 + below(payload - 1)), static_cast<std::uint8_t>(below(256)));
+      break;
+    case Fault::CutTelegram:
+      victim.resize(victim.size() / 2);
+      break;
+    case Fault::LoseLine:
+      line_.clear();
+      break;
+    case Fault::DoubleLine:
+      line_.push_back(joined(line_));
+      break;
     case Fault::SwapLines:
       held_ = joined(line_);
       line_.clear();
@@ -123,18 +136,26 @@ void FaultProxy::lineDone(int line, const std::stop_token& stop) {
       line_.insert(line_.begin(), noise);
       break;
     }
-    case Fault::FalseStart: line_.insert(line_.begin(), Bytes{kStx, 0x80, 0x40, 0x00}); break;
-    case Fault::Nak: line_.insert(line_.begin(), Bytes{kNak}); break;
+    case Fault::FalseStart:
+      line_.insert(line_.begin(), Bytes{kStx, 0x80, 0x40, 0x00});
+      break;
+    case Fault::Nak:
+      line_.insert(line_.begin(), Bytes{kNak});
+      break;
     case Fault::PowerOn: {
       Bytes telegram;
       appendTelegram(telegram, kFromDevice, Bytes{kPowerOn, 'L', 'M', 'S', '2', '0', '0', 0x10});
       line_.insert(line_.begin(), telegram);
       break;
     }
-    case Fault::CloseInside: victim.resize(victim.size() / 2); [[fallthrough]];
+    case Fault::CloseInside:
+      victim.resize(victim.size() / 2);
+      [[fallthrough]];
     case Fault::Close:
     case Fault::Hang:
-    case Fault::CloseBoth: cuts = true; break;
+    case Fault::CloseBoth:
+      cuts = true;
+      break;
   }
   if (plan_.fault == Fault::CloseInside && &victim == &line_[0]) line_.resize(1);
   send(joined(line_), stop);

@@ -17,11 +17,11 @@ namespace stratascope::test {
 
 enum class Fault {
   None,
-  FlipBit,       ///< in a payload
-  FlipFrame,     ///< in STX, address, length or checksum
+  FlipBit,    ///< in a payload
+  FlipFrame,  ///< in STX, address, length or checksum
   DropByte,
   InsertByte,
-  CutTelegram,   ///< its second half never comes
+  CutTelegram,  ///< its second half never comes
   LoseLine,
   DoubleLine,
   SwapLines,     ///< with the next
@@ -29,14 +29,14 @@ enum class Fault {
   FalseStart,    ///< a telegram's first bytes, with a length that reaches over the line behind
   Nak,
   PowerOn,
-  Close,         ///< between telegrams; the scanner's side stays
-  CloseInside,   ///< in the middle of a telegram
-  Hang,          ///< says nothing more until the listener leaves
-  CloseBoth,     ///< the scanner sees it, too
+  Close,        ///< between telegrams; the scanner's side stays
+  CloseInside,  ///< in the middle of a telegram
+  Hang,         ///< says nothing more until the listener leaves
+  CloseBoth,    ///< the scanner sees it, too
 };
 
-/// Stands between a scanner and a listener on loopback and does something wrong with the lines it is told, the same for
-/// the same seed. Knows telegrams, so what it does is exactly what it says.
+/// Stands between a scanner and a listener on loopback and does something wrong with the lines it is told,
+/// the same for the same seed. Knows telegrams, so what it does is exactly what it says.
 class FaultProxy {
 public:
   struct Plan {
