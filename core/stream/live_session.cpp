@@ -74,13 +74,26 @@ struct LiveSession::State {
   }
 
   void run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      stream(stop);
+      // A replay that has ended may be scrubbed back.
+      while (!stop.stop_requested() && isOver(source->state())) {
+        std::unique_lock lock(mutex);
+        changed.wait_for(lock, milliseconds(50));
+      }
+    }
+  }
+
+  void stream(const std::stop_token& stop) {
     bool sourceEnded = false;
     while (!stop.stop_requested() && !sourceEnded) {
-      std::optional<StreamItem> item = source->next(kItemWait);
-      sourceEnded = !item && isOver(source->state());
+      // Asked first: what came before the end is there to be taken.
+      const bool over = isOver(source->state());
+      std::optional<StreamItem> item = source->next(over ? milliseconds(0) : kItemWait);
+      sourceEnded = over && !item;
       bool scanEnded = false;
-      for (int n = 0; item && !scanEnded;
-           item = ++n < kItemsAtOnce ? source->next(milliseconds(0)) : std::nullopt) {
+      for (int n = 0; item;
+           item = ++n < kItemsAtOnce && !scanEnded ? source->next(milliseconds(0)) : std::nullopt) {
         scanEnded = std::holds_alternative<StreamScanEnd>(*item);
         live.take(*item);
         dirty = true;
@@ -90,26 +103,27 @@ struct LiveSession::State {
         sourceEnded = true;
       }
       publishProgress();
-      submitIfDue(scanEnded, sourceEnded);
-    }
-    // A replay that has ended may be scrubbed back.
-    while (!stop.stop_requested()) {
-      std::unique_lock lock(mutex);
-      changed.wait_for(lock, milliseconds(50));
-      lock.unlock();
-      if (!isOver(source->state())) return run(stop);
-      publishProgress();
+      if (sourceEnded && !dirty)
+        finishWithWhatIs();
+      else
+        submitIfDue(scanEnded, sourceEnded);
     }
   }
 
-  bool isOver(StreamState state) const { return state == StreamState::Ended || state == StreamState::Failed; }
+  static bool isOver(StreamState state) {
+    return state == StreamState::Ended || state == StreamState::Failed;
+  }
 
   void publishProgress() {
     const StreamState state = source->state();
-    StreamCounters counters = source->counters();
+    const StreamCounters counters = source->counters();
     std::string message = source->message();
     {
       const std::lock_guard lock(mutex);
+      const bool same = progress.lines == live.lines() && progress.arrived == live.arrived() &&
+                        progress.scanEnded == live.ended() && progress.state == state &&
+                        progress.counters == counters && progress.message == message;
+      if (same) return;
       progress.lines = live.lines();
       progress.arrived = live.arrived();
       progress.scanEnded = live.ended();
@@ -122,33 +136,33 @@ struct LiveSession::State {
 
   void submitIfDue(bool scanEnded, bool sourceEnded) {
     const bool last = scanEnded || sourceEnded;
-    if (!last && !dirty) return;
+    if (!dirty) return;
     const auto now = Clock::now();
-    PipelineParams with;
     {
       const std::lock_guard lock(mutex);
       if (!last && (workerBusy || now - lastSubmit < options.shortestPause)) return;
-      with = params;
     }
     ScanPtr scan = live.snapshot();
     if (!scan) {
-      if (sourceEnded) finish();
+      if (sourceEnded) finishWithWhatIs();
       return;
     }
     dirty = false;
     lastSubmit = now;
-    {
-      const std::lock_guard lock(mutex);
-      workerBusy = true;
-      progress.finished = false;
-      submitted.push_back({scan, live.arrived(), last, sourceEnded});
-    }
-    worker.request(std::vector{std::move(scan)}, with, last ? ScanChange::Replaced : ScanChange::Grown);
+    // Under the lock, so that no older parameters overtake those of setParams().
+    const std::lock_guard lock(mutex);
+    workerBusy = true;
+    progress.finished = false;
+    submitted.push_back({scan, live.arrived(), last, sourceEnded});
+    worker.request(std::vector{std::move(scan)}, params, last ? ScanChange::Replaced : ScanChange::Grown);
   }
 
-  void finish() {
+  /// The stream has ended, and all of it has been given to the pipeline already.
+  void finishWithWhatIs() {
     {
       const std::lock_guard lock(mutex);
+      if (!submitted.empty()) submitted.back().last = submitted.back().final = true;
+      if (workerBusy) return;  // it will be told by the worker
       progress.finished = true;
     }
     changed.notify_all();
@@ -157,29 +171,25 @@ struct LiveSession::State {
 
   /// From the worker's thread.
   void takeFromWorker() {
-    WorkerUpdate update = worker.take();
-    const SnapshotPtr before = snapshotNow();
-    const int same = update.snapshot && before ? sameLines(*before, *update.snapshot) : 0;
     bool finished = false;
     {
+      // Taken under the lock, so that "not busy" cannot be older than a request.
       const std::lock_guard lock(mutex);
+      WorkerUpdate update = worker.take();
       workerBusy = update.busy;
-      if (update.error) {
-        error = std::move(update.error);
-        if (!update.busy && !submitted.empty() && submitted.back().final) finished = true;
-      }
+      if (update.error) error = std::move(update.error);
       if (update.snapshot) {
-        newest = std::move(update.snapshot);
+        const SnapshotPtr before = std::exchange(newest, std::move(update.snapshot));
         taken = false;
         const ScanPtr& scan = newest->scans.at(0).scan;
         while (!submitted.empty() && submitted.front().scan != scan) submitted.pop_front();
         if (!submitted.empty()) {
           const Submitted& of = submitted.front();
           progress.computed = of.arrived;
-          progress.steady = of.last ? newest->scans[0].scan->lattice->lines() : same;
-          finished = of.final;
+          progress.steady = of.last ? scan->lattice->lines() : before ? sameLines(*before, *newest) : 0;
         }
       }
+      finished = !update.busy && !submitted.empty() && submitted.back().final;
       if (finished) progress.finished = true;
     }
     if (finished) changed.notify_all();
@@ -208,12 +218,10 @@ LiveSession::~LiveSession() {
 
 void LiveSession::setParams(const PipelineParams& params) {
   State& s = *state_;
-  {
-    const std::lock_guard lock(s.mutex);
-    s.params = params;
-    if (s.submitted.empty()) return;
-    s.workerBusy = true;
-  }
+  const std::lock_guard lock(s.mutex);
+  s.params = params;
+  if (s.submitted.empty()) return;
+  s.workerBusy = true;
   s.worker.request(std::nullopt, params);
 }
 

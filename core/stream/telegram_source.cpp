@@ -111,7 +111,7 @@ private:
       parser_.push(std::span(bytes).first(*count));
       std::vector<StreamItem> items;
       while (const auto telegram = parser_.next()) assembler_.take(*telegram, items);
-      count_();
+      publishCounters();
       hand(std::move(items));
       const bool forgot =
           assembler_.counters().powerOns > powerOns;  // a scanner that starts waits to be asked
@@ -136,7 +136,7 @@ private:
   void drainParser() {
     std::vector<StreamItem> items;
     while (const auto telegram = parser_.flush()) assembler_.take(*telegram, items);
-    count_();
+    publishCounters();
     hand(std::move(items));
   }
 
@@ -152,10 +152,10 @@ private:
       else if (!queue_.tryPush(std::move(item)))
         ++dropped_;
     }
-    if (!items.empty()) count_();
+    if (!items.empty()) publishCounters();
   }
 
-  void count_() {
+  void publishCounters() {
     StreamCounters c = assembler_.counters();
     const ParserCounters& p = parser_.counters();
     c.received -= dropped_;
@@ -172,7 +172,7 @@ private:
   }
 
   void tell(StreamState state, std::string message) {
-    count_();
+    publishCounters();
     const std::lock_guard lock(mutex_);
     state_ = state;
     message_ = std::move(message);
