@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <malloc.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -86,6 +88,10 @@ Status stream(const Options& options) {
   live.scans = options.untilEnd ? 0 : 1;
   if (!settings->poses.empty()) live.pose = settings->poses[0];
   catchInterrupts();
+  // A stream may run for days, and computes whole lattices again and again: their memory goes back to the
+  // system each time, and does not leave holes in the heap.
+  constexpr int kLargeBlock = 1 << 18;
+  mallopt(M_MMAP_THRESHOLD, kLargeBlock);
   LiveSession session(*std::move(source), live);
   bool stopping = false;
   while (!session.waitFinished(std::chrono::milliseconds(100))) {

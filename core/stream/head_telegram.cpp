@@ -104,8 +104,8 @@ std::optional<HeadTelegram> parseStart(ByteReader& reader) {
   t.header.ownBodyRange = reader.get<double>();
   const bool poses =
       getPose(reader, t.header.pose.map_T_scan) && getPose(reader, t.header.pose.scan_T_sensor);
-  const bool sizes =
-      lines <= static_cast<std::uint32_t>(kMostLines) && t.header.beams > 0 && t.header.beams <= kMostBeams;
+  const bool sizes = t.header.beams > 0 && t.header.beams <= kMostBeams &&
+                     lines <= static_cast<std::uint32_t>(kMostNeurons / t.header.beams);
   const bool numbers = std::isfinite(t.beamFirstDeg) && std::isfinite(t.beamLastDeg) &&
                        t.header.ownBodyRange >= 0 && std::isfinite(t.header.ownBodyRange);
   const bool kinds =

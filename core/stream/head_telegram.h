@@ -70,7 +70,8 @@ std::optional<HeadTelegram> parseHead(std::span<const std::uint8_t> payload);
 /// In how many B0h telegrams a line comes: 1, or 2 or 4 interlaced ones if it is longer than one can be.
 int partsOfLine(int beams);
 inline constexpr int kMostBeams = 4 * kMostValues;
-inline constexpr int kMostLines = 1 << 20;
+/// More than any scanner has; bounds what a telegram can make a receiver allocate.
+inline constexpr int kMostNeurons = 1 << 24;
 /// Number of values in a part, and the column of one of them.
 int valuesInPart(int beams, int part);
 int columnOfValue(int beams, int part, int value);

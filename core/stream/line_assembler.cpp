@@ -102,7 +102,9 @@ void LineAssembler::takeStart(const HeadScanStart& start, const Bytes& payload,
 
 void LineAssembler::takeLine(const HeadLine& line) {
   const bool known = scan_ && line.scan == scan_->header.number;
-  const int lines = scan_ && scan_->header.lines > 0 ? scan_->header.lines : kMostLines;
+  const int lines = !known                    ? 0
+                    : scan_->header.lines > 0 ? scan_->header.lines
+                                              : kMostNeurons / scan_->header.beams;
   if (!known || line.line >= static_cast<std::uint32_t>(lines)) {
     ++counters_.orphaned;
     return;
@@ -237,11 +239,12 @@ void LineAssembler::unheadedLine(std::vector<StreamItem>& out) {
     if (line == nextLine_) ++nextLine_;  // the head moved on all the same
     return;
   }
-  if (motion_.lines > 0 && line >= motion_.lines) {
+  const int most = motion_.lines > 0 ? motion_.lines : kMostNeurons / beams;
+  if (line >= most) {
     end(out);
-    line -= motion_.lines;
-    nextLine_ -= motion_.lines;
-    if (line >= motion_.lines) line = nextLine_ = 0;  // gone for more than a scan
+    line -= most;
+    nextLine_ -= most;
+    if (line >= most) line = nextLine_ = 0;  // gone for more than a scan
   }
   if (!open_) {
     HeadScanStart start;

@@ -74,7 +74,7 @@ Expected<ScanEncoder> ScanEncoder::make(ScanPtr scan) {
   if (scan->unordered())
     return Error{scan->path, "", "the cloud has no scan lines, so no scanner could have sent it",
                  "give a scan with a lattice"};
-  if (lattice.beams() > kMostBeams || lattice.lines() > kMostLines)
+  if (lattice.beams() > kMostBeams || lattice.lines() > kMostNeurons / std::max(1, lattice.beams()))
     return Error{scan->path, "",
                  "a lattice of " + std::to_string(lattice.lines()) + " lines x " +
                      std::to_string(lattice.beams()) + " beams does not fit into the telegrams",

@@ -286,6 +286,9 @@ TEST(LmsTelegram, HeadTelegramsRoundTrip) {
   wrong.header.beams = kMostBeams + 1;
   EXPECT_FALSE(parseHead(headPayload(wrong)));
   wrong = start;
+  wrong.header.lines = kMostNeurons / wrong.header.beams + 1;
+  EXPECT_FALSE(parseHead(headPayload(wrong)));
+  wrong = start;
   wrong.header.pose.map_T_scan.linear() *= 2;
   EXPECT_FALSE(parseHead(headPayload(wrong)));
   wrong = start;
