@@ -280,7 +280,8 @@ TEST(StreamAssembly, WithoutAHeadTheScanIndexTellsOfLostLines) {
   EXPECT_EQ(c.missing, 2u);
   EXPECT_EQ(c.duplicated, 1u);
   EXPECT_EQ(c.outOfOrder, 1u);
-  const auto& points = received.scan.snapshot()->lattice->points();
+  const ScanPtr now = received.scan.snapshot();
+  const auto& points = now->lattice->points();
   ASSERT_EQ(points.rows(), 20);
   EXPECT_FALSE(points({5, 90}).allFinite());
   for (const int i : {0, 7, 12, 19}) EXPECT_NEAR(points({i, 90}).norm(), 1 + 0.001 * i, 1e-6);

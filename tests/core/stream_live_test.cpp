@@ -137,7 +137,8 @@ TEST(StreamLive, ASweepOverwritesTheOneBefore) {
       lines += std::holds_alternative<StreamLine>(*item);
       live.take(*item);
     }
-    const auto& points = live.snapshot()->lattice->points();
+    const ScanPtr now = live.snapshot();
+    const auto& points = now->lattice->points();
     EXPECT_EQ(points({3, 10}), second->lattice->points()({3, 10}));
     if (next == NextScan::Overwrites)
       EXPECT_EQ(points({12, 10}), first->lattice->points()({12, 10}));
