@@ -64,7 +64,7 @@ struct LiveSession::State {
   LiveScan live;
   bool dirty = false;
   int scansEnded = 0;
-  Clock::time_point lastSubmit = Clock::time_point::min();
+  Clock::time_point lastSubmit{};
 
   Worker worker{[this] { takeFromWorker(); }, options.threads};  ///< after what its thread touches
   std::jthread thread;                                           ///< last: ends first

@@ -251,6 +251,10 @@ TEST(StreamLive, StopKeepsWhatArrived) {
   session.transport()->seek(33);
   for (int i = 0; i < 500 && session.progress().arrived < 33; ++i) std::this_thread::sleep_for(10ms);
   EXPECT_EQ(session.progress().arrived, 33);
+  // What is there so far is computed and shown, although more may come.
+  for (int i = 0; i < 1000 && session.progress().computed < 33; ++i) std::this_thread::sleep_for(10ms);
+  EXPECT_EQ(session.progress().computed, 33);
+  EXPECT_FALSE(session.progress().finished);
   session.stop();
   ASSERT_TRUE(session.waitFinished(60s));
   const SnapshotPtr snapshot = session.snapshot();
