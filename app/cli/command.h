@@ -25,5 +25,7 @@ void addSimulate(CLI::App& app, Action& action);
 void addScore(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addMerge(CLI::App& app, Action& action);
+void addServe(CLI::App& app, Action& action);
+void addStream(CLI::App& app, Action& action);
 
 }  // namespace stratascope::cli

@@ -36,6 +36,8 @@ int run(int argc, char** argv) {
   cli::addScore(app, action);
   cli::addBench(app, action);
   cli::addMerge(app, action);
+  cli::addServe(app, action);
+  cli::addStream(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -2,8 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/parallel_rows.h"
 
+#ifdef STRATASCOPE_STD_THREADS
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#else
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
@@ -11,8 +18,48 @@
 #include "base/expected.h"
 
 namespace stratascope {
+namespace {
 
-void parallelRows(int rows, const Execution& execution, const std::function<void(int, int)>& body, int chunkRows) {
+#ifdef STRATASCOPE_STD_THREADS
+// For ThreadSanitizer, which does not see into the uninstrumented TBB and would report races where there are
+// none.
+template <class Run>
+void runChunks(int chunks, int threads, const Run& run) {
+  const int most = std::max(2, static_cast<int>(std::thread::hardware_concurrency()));
+  const int count = std::min(chunks, threads <= 0 ? most : std::min(most, threads));
+  std::atomic<int> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (int chunk = next++; chunk < chunks; chunk = next++) run(chunk);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+      next = chunks;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < count; ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+#else
+template <class Run>
+void runChunks(int chunks, int threads, const Run& run) {
+  // More workers than processors only earn a warning on stderr.
+  const int most = tbb::this_task_arena::max_concurrency();
+  tbb::task_arena arena(threads <= 0 ? most : std::min(most, threads));
+  arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::simple_partitioner{}); });
+}
+#endif
+
+}  // namespace
+
+void parallelRows(int rows, const Execution& execution, const std::function<void(int, int)>& body,
+                  int chunkRows) {
   require(chunkRows > 0, "parallelRows: chunkRows must be positive");
   throwIfStopped(execution);
   const int chunks = (rows + chunkRows - 1) / chunkRows;
@@ -29,10 +76,7 @@ void parallelRows(int rows, const Execution& execution, const std::function<void
   if (execution.threads == 1) {
     for (int chunk = 0; chunk < chunks; ++chunk) run(chunk);
   } else {
-    // More workers than processors only earn a warning on stderr.
-    const int most = tbb::this_task_arena::max_concurrency();
-    tbb::task_arena arena(execution.threads <= 0 ? most : std::min(most, execution.threads));
-    arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::simple_partitioner{}); });
+    runChunks(chunks, execution.threads, run);
   }
   if (stopped) throw Cancelled{};
 }

@@ -85,7 +85,7 @@ ScoreCases scoreCases(const ScoreCaseSelection& selection) {
   ScoreCases all;
   addSynpeb(selection.scansFolder, all);
   if (selection.samples) addSamples(all);
-  for (const RoomKind kind : {RoomKind::Plain, RoomKind::Furnished})
+  for (const RoomKind kind : selection.kinds)
     for (const double sigma : selection.sigmas) {
       addRooms(kind, "tuning seeds", selection.tuningSeeds, sigma, all);
       addRooms(kind, "checking seeds", selection.checkingSeeds, sigma, all);

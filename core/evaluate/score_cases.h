@@ -12,6 +12,7 @@
 #include "base/grid.h"
 #include "base/parallel_rows.h"
 #include "scan/scan_lattice.h"
+#include "sim/random_room.h"
 
 namespace stratascope {
 
@@ -39,6 +40,7 @@ struct ScoreCaseSelection {
   bool samples = true;      ///< the scenes of the sample scans, as they were simulated
   std::vector<std::uint64_t> tuningSeeds = {1, 2, 3, 4};        ///< of random rooms…
   std::vector<std::uint64_t> checkingSeeds = {11, 12, 13, 14};  ///< …on which nothing was ever tuned
+  std::vector<RoomKind> kinds = {RoomKind::Plain, RoomKind::Furnished};
   std::vector<double> sigmas = {0.005, 0.015};                  ///< of the rooms' range noise, metres
 };
 

@@ -40,16 +40,18 @@ std::string intervalsCsv(const Snapshot& snapshot);
 ///   inputs       list of {name, path, bytes, sha256, format, lattice ("native"|"recovered"|"projected"),
 ///   lines, beams,
 ///                missing, points, pose [x, y, z, roll, pitch, yaw] as --pose takes it, sensor [x, y, z],
-///                unit and axes the file was read in, local_origin [x, y, z] (Scan::localOrigin), fields, notes}; bytes and sha256 are null for a scan that is no file: an empty path, or one
-///                with "://"
+///                unit and axes the file was read in, local_origin [x, y, z] (Scan::localOrigin), fields, notes};
+///                bytes and sha256 are null for a scan that is no file: an empty path, or one with "://" or that
+///                begins with "serial:"
 ///   parameters   every one, as --params reads them
 ///   points       laid down in the map
 ///   counts       {scans, planes, edges, cells (occupied), records}
 ///   seconds      by stageName(), of each stage's last execution
 ///   notes        of the segmentation
 ///   peak_memory_bytes, libraries
+///   stream       only if it came as one: `streamCounters`, a JSON object
 /// Errors: an input file that can no longer be read.
-Expected<std::string> runJson(const Snapshot& snapshot);
+Expected<std::string> runJson(const Snapshot& snapshot, std::string_view streamCounters = {});
 
 /// The files of the contract and map.strata, by name: what exportResults writes before what is asked for
 /// besides. One scan: cloud.pcd. Several: cloud.pcd for the first, cloud_1.pcd … for the others. `run` is
@@ -58,7 +60,8 @@ std::vector<OutputFile> contractFiles(const Snapshot& snapshot, const std::strin
 
 /// Writes contractFiles() into `directory` (made if missing), all or nothing: on an error the directory is as
 /// it was. Returns the paths written.
-Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory);
+Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory,
+                                                 std::string_view streamCounters = {});
 
 /// The program's version, "0.1.0".
 const char* versionText();

@@ -28,7 +28,7 @@ Json poseNumbers(const Eigen::Isometry3d& pose) {
 }
 
 bool isFile(const Scan& scan) {
-  return !scan.path.empty() && scan.path.find("://") == std::string::npos;
+  return !scan.path.empty() && scan.path.find("://") == std::string::npos && !scan.path.starts_with("serial:");
 }
 
 Expected<Json> inputEntry(const ScanProducts& products) {
@@ -105,7 +105,7 @@ Json libraryVersions() {
 
 }  // namespace
 
-Expected<std::string> runJson(const Snapshot& snapshot) {
+Expected<std::string> runJson(const Snapshot& snapshot, std::string_view streamCounters) {
   Json run;
   run["program"] = "stratascope";
   run["version"] = versionText();
@@ -126,6 +126,7 @@ Expected<std::string> runJson(const Snapshot& snapshot) {
       for (const std::string& note : scan.planes->notes) run["notes"].push_back(note);
   run["peak_memory_bytes"] = peakMemoryBytes();
   run["libraries"] = libraryVersions();
+  if (!streamCounters.empty()) run["stream"] = Json::parse(streamCounters);
   return run.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // names need not be valid UTF-8
 }
 

@@ -69,13 +69,13 @@ Worker::~Worker() {
   state_->thread.join();
 }
 
-void Worker::request(std::optional<std::vector<ScanPtr>> scans, const PipelineParams& params) {
+void Worker::request(std::optional<std::vector<ScanPtr>> scans, const PipelineParams& params, ScanChange change) {
   State& s = *state_;
   {
     const std::lock_guard lock(s.mutex);
     if (!scans && s.next && s.next->scans)
       scans = std::move(s.next->scans);  // new scans not yet taken up stay wanted
-    const bool newScans = scans.has_value();
+    const bool newScans = scans.has_value() && change == ScanChange::Replaced;
     s.next = Request{std::move(scans), params};
     if (s.running) {
       const int running = s.stage ? static_cast<int>(*s.stage) : 0;

@@ -20,6 +20,12 @@ struct WorkerUpdate {
   std::optional<Stage> stage;        ///< the stage running now
 };
 
+/// What new scans are to those before.
+enum class ScanChange : std::uint8_t {
+  Replaced,  ///< others: a running job is pointless
+  Grown,     ///< the same with more lines: a running job still shows something, and these come after it
+};
+
 /// One thread around a Pipeline. Requests go into a one-place slot: the newest wins. A running job is stopped
 /// when a newer request makes it pointless: something at or before the running stage changed, and a result
 /// appeared within the last quarter second (always cancelling would show nothing during a drag). All calls
@@ -33,7 +39,8 @@ public:
   ~Worker();
 
   /// New scans (compute all anew), or null to keep the present ones.
-  void request(std::optional<std::vector<ScanPtr>> scans, const PipelineParams& params);
+  void request(std::optional<std::vector<ScanPtr>> scans, const PipelineParams& params,
+               ScanChange change = ScanChange::Replaced);
   /// Stops the running job and empties the slot. The last snapshot stays.
   void cancel();
   WorkerUpdate take();

@@ -16,6 +16,34 @@ ScanBuilder::ScanBuilder(std::vector<float> beamAngles) : beams_(static_cast<int
   lattice_.beamAngles_ = std::move(beamAngles);
 }
 
+ScanBuilder::ScanBuilder(int lines, int beams) : ScanBuilder(beams) {
+  require(lines >= 0, "ScanBuilder: negative number of lines");
+  lattice_.points_ = Grid<Eigen::Vector3f>(lines, beams, Eigen::Vector3f::Constant(kNaNf));
+  lattice_.missing_ = lattice_.points_.size();
+}
+
+void ScanBuilder::setLine(int line, std::span<const Eigen::Vector3f> points) {
+  require(lattice_.beamAngles_.empty(), "ScanBuilder: Cartesian line in a polar scan");
+  require(line >= 0, "ScanBuilder: negative line");
+  require(static_cast<int>(points.size()) == beams_, "ScanBuilder: wrong line length");
+  const std::vector<Eigen::Vector3f> none(points.size(), Eigen::Vector3f::Constant(kNaNf));
+  while (lattice_.lines() <= line) {
+    lattice_.points_.appendRow(none);
+    lattice_.missing_ += none.size();
+  }
+  const auto row = lattice_.points_.row(line);
+  for (size_t j = 0; j < row.size(); ++j) {
+    lattice_.missing_ -= row[j].allFinite() ? 0 : 1;
+    row[j] = points[j].allFinite() ? points[j] : none[j];
+    lattice_.missing_ += row[j].allFinite() ? 0 : 1;
+  }
+}
+
+void ScanBuilder::clearLine(int line) {
+  require(line >= 0 && line < lattice_.lines(), "ScanBuilder: no such line");
+  setLine(line, std::vector<Eigen::Vector3f>(static_cast<size_t>(beams_), Eigen::Vector3f::Constant(kNaNf)));
+}
+
 void ScanBuilder::appendLine(std::span<const Eigen::Vector3f> points) {
   require(lattice_.beamAngles_.empty(), "ScanBuilder: Cartesian line in a polar scan");
   require(static_cast<int>(points.size()) == beams_, "ScanBuilder: wrong line length");

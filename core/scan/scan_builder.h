@@ -19,10 +19,17 @@ class ScanBuilder {
   explicit ScanBuilder(int beams);
   /// Polar lines: beam angles φ by column, rising.
   explicit ScanBuilder(std::vector<float> beamAngles);
+  /// Cartesian lines that come in any order: `lines` rows without a return, to be set. 0 = the number is not known.
+  ScanBuilder(int lines, int beams);
 
   void appendLine(std::span<const Eigen::Vector3f> points);
   /// Ranges in metres, NaN or <= 0 = missing; one head angle for the line, or one a beam.
   void appendPolarLine(std::span<const float> ranges, std::span<const float> headAngles);
+
+  /// Fills a row of a Cartesian scan, or fills it anew; rows up to it are added as missing returns where there were none.
+  void setLine(int line, std::span<const Eigen::Vector3f> points);
+  /// Makes a row missing returns again.
+  void clearLine(int line);
 
   int lines() const { return lattice_.lines(); }
   /// What has arrived so far, as a lattice of its own; the builder goes on.

@@ -497,8 +497,8 @@ TEST_F(Cli, ScoreTableIsOneDocument) {
   ASSERT_EQ(r.status, 0) << r.err;
   const json table = json::parse(r.out);
   EXPECT_EQ(table["methods"], json({"stratascope"}));
-  ASSERT_EQ(table["scans"].size(), 4u);  // two seeds at two sigmas
-  ASSERT_EQ(table["groups"].size(), 4u);
+  ASSERT_EQ(table["scans"].size(), 8u);  // two seeds of two kinds at two sigmas
+  ASSERT_EQ(table["groups"].size(), 8u);
   for (const json& row : table["groups"]) {
     EXPECT_EQ(row["scans"], 1);
     EXPECT_GT(row["correct"].get<int>(), row["truth_regions"].get<int>() / 2) << row;

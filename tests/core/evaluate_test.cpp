@@ -164,6 +164,7 @@ TEST(ScoreTable, AddsUpItsScans) {
   options.cases.tuningSeeds = {1, 2};
   options.cases.checkingSeeds = {};
   options.cases.sigmas = {0.005};
+  options.cases.kinds = {RoomKind::Plain};
   options.methods = {Method::Stratascope};
   std::vector<std::string> said;
   const auto table = measureScoreTable(options, {2}, [&](const std::string& what) { said.push_back(what); });

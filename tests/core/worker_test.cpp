@@ -133,6 +133,20 @@ TEST(Worker, NewScansNotYetTakenUpStayWanted) {
   EXPECT_EQ(listener.snapshots.back()->params, withEpsilon(0.2));
 }
 
+TEST(Worker, AGrownScanLetsTheRunningJobFinish) {
+  const ScanPtr first = roomScan(28, 206, 181), second = roomScan(28, 206, 181);
+  Listener listener;
+  Worker worker(listener.notify());
+  worker.request(std::vector{first}, {});
+  ASSERT_TRUE(
+      listener.until(worker, [&] { return !listener.snapshots.empty() || listener.stage.has_value(); }));
+  worker.request(std::vector{second}, {}, ScanChange::Grown);
+  ASSERT_TRUE(listener.untilIdle(worker));
+  ASSERT_FALSE(listener.snapshots.empty());
+  EXPECT_EQ(listener.snapshots.back()->scans.at(0).scan, second);
+  EXPECT_EQ(listener.snapshots.back()->generation, 2u);  // both were computed to their end
+}
+
 TEST(Worker, CancelStopsAndTheNextRequestIsRight) {
   const ScanPtr scan = roomScan(25, 515, 361);
   Listener listener;
