@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "app/actions.h"
@@ -22,11 +23,14 @@
 #include "widgets/param_panel.h"
 #include "widgets/plane_table.h"
 #include "widgets/probe_panel.h"
+#include "widgets/stage_strip.h"
 #include "widgets/status_strip.h"
 #include "widgets/view_area.h"
 
 // A static library's resources are left out unless asked for; the macro must stand outside any namespace.
-static void initResources() { Q_INIT_RESOURCE(stratascope); }
+static void initResources() {
+  Q_INIT_RESOURCE(stratascope);
+}
 
 namespace stratascope {
 
@@ -55,6 +59,14 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   layout->addWidget(pages_, 1);
   setCentralWidget(centre);
 
+  stages_ = new StageStrip;
+  auto* stageBar = new QToolBar(tr("Stages"));
+  stageBar->setObjectName("stageBar");
+  stageBar->setMovable(false);
+  stageBar->setContextMenuPolicy(Qt::PreventContextMenu);
+  stageBar->addWidget(stages_);
+  addToolBar(Qt::BottomToolBarArea, stageBar);
+
   cut_ = new CutControl;
   status_ = new StatusStrip;
   hint_ = new QLabel;
@@ -69,7 +81,8 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(status_);
   statusBar()->setSizeGripEnabled(false);
-  // Always the same height: if the progress bar made it grow, all three views would be resized and drawn anew each time.
+  // Always the same height: if the progress bar made it grow, all three views would be resized and drawn anew
+  // each time.
   statusBar()->setFixedHeight(fontMetrics().height() + 16);
 
   buildDocks();
@@ -82,11 +95,13 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
 MainWindow::~MainWindow() = default;
 
 void MainWindow::buildDocks() {
-  const auto dock = [this](const QString& title, const QString& name, QWidget* widget, Qt::DockWidgetArea area) {
+  const auto dock = [this](const QString& title, const QString& name, QWidget* widget,
+                           Qt::DockWidgetArea area) {
     auto* d = new QDockWidget(title, this);
     d->setObjectName(name);
     d->setWidget(widget);
-    d->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetFloatable);
+    d->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                   QDockWidget::DockWidgetFloatable);
     addDockWidget(area, d);
     return d;
   };
@@ -108,6 +123,7 @@ void MainWindow::connectParts() {
     stage_ = stage;
     showProgress();
   });
+  connect(status_, &StatusStrip::shownStageChanged, stages_, &StageStrip::setRunning);
   connect(status_, &StatusStrip::cancelled, bridge_, &PipelineBridge::cancel);
   connect(cut_, &CutControl::cutChosen, this, [this](std::optional<double> cut) {
     ViewOptions options = bridge_->viewOptions();
@@ -124,7 +140,9 @@ void MainWindow::connectParts() {
   connect(session_, &Session::recentChanged, welcome_, &WelcomePage::setRecent);
 }
 
-SnapshotPtr MainWindow::snapshot() const { return bridge_->geometry() ? bridge_->geometry()->snapshot : nullptr; }
+SnapshotPtr MainWindow::snapshot() const {
+  return bridge_->geometry() ? bridge_->geometry()->snapshot : nullptr;
+}
 
 void MainWindow::setParams(const PipelineParams& params) {
   params_->setParams(params);
@@ -150,7 +168,7 @@ void MainWindow::takeGeometry() {
   probe_->setGeometry(geometry);
   planes_->setGeometry(geometry);
   cut_->setGeometry(*geometry);
-  status_->setStages(snapshot);
+  stages_->setStages(snapshot.stages);
   actions_->setHasResult(true);
   if (!otherScans) return;
 
@@ -160,8 +178,9 @@ void MainWindow::takeGeometry() {
     if (!scan) continue;
     names << QString::fromStdString(scan->name);
   }
-  setWindowTitle(tr("%1 — Stratascope").arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
-                                                             : names.join(QStringLiteral(", "))));
+  setWindowTitle(tr("%1 — Stratascope")
+                     .arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
+                                           : names.join(QStringLiteral(", "))));
   // The views get their size in the next turn of the event loop.
   QTimer::singleShot(0, this, [this] { views_->look(ViewDirection::Iso); });
 }
@@ -172,7 +191,9 @@ void MainWindow::showError(const QString& message) {
 }
 
 void MainWindow::note(const QString& text) {
-  hint_->setText(text.isEmpty() ? tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move") : text);
+  hint_->setText(text.isEmpty()
+                     ? tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move")
+                     : text);
   if (text.isEmpty())
     noteEnds_->stop();
   else

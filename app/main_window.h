@@ -26,6 +26,7 @@ class ParamPanel;
 class PlaneTable;
 class ProbePanel;
 class Session;
+class StageStrip;
 class StatusStrip;
 class ViewArea;
 class WelcomePage;
@@ -33,13 +34,14 @@ class WelcomePage;
 /// Docks and menus around the three views; says to the other parts what happened, decides nothing of its own.
 class MainWindow : public QMainWindow {
   Q_OBJECT
- public:
+public:
   /// With a session, recent files and the window's shape are kept between runs.
   enum class Keep { Session, Nothing };
   explicit MainWindow(Keep keep, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a file, or none.
+  /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a
+  /// file, or none.
   void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
   void setParams(const PipelineParams& params);
 
@@ -54,7 +56,7 @@ class MainWindow : public QMainWindow {
   ProbePanel& probePanel() { return *probe_; }
   MessageBar& messageBar() { return *message_; }
 
- public slots:
+public slots:
   void chooseFiles();
   void reload();
   void exportResultsTo();
@@ -64,16 +66,16 @@ class MainWindow : public QMainWindow {
   void copyCommandLine();
   void showAbout();
 
- signals:
+signals:
   void opened();
   void failed(const QString& message);
 
- protected:
+protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
- private:
+private:
   void buildDocks();
   void connectParts();
   void takeGeometry();
@@ -94,6 +96,7 @@ class MainWindow : public QMainWindow {
   PlaneTable* planes_;
   CutControl* cut_;
   StatusStrip* status_;
+  StageStrip* stages_;
   QLabel* hint_;
   QTimer* noteEnds_;
   Session* session_;

@@ -16,7 +16,8 @@ constexpr double kPickRadius = 5;  // pixels of the widget
 constexpr Rgb kEdgeColour{225, 30, 30};
 
 Rgb rgbOf(const QColor& c) {
-  return {static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()), static_cast<std::uint8_t>(c.blue())};
+  return {static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()),
+          static_cast<std::uint8_t>(c.blue())};
 }
 }  // namespace
 
@@ -67,6 +68,7 @@ void CloudView::setGeometry(const ViewGeometryPtr& geometry) {
       !std::holds_alternative<CellIndex>(selection_.get()))
     return;
   actor_.set(*geometry_);
+  if (old && old->cloud == geometry_->cloud) noteChange();
   drawMarks();
   highlight();
 }
@@ -125,13 +127,16 @@ void CloudView::describe() {
     }
     case CloudColouring::Plane: {
       size_t planes = 0;
-      for (const ScanProducts& scan : g.snapshot->scans) planes += scan.planes ? scan.planes->planes.size() : 0;
+      for (const ScanProducts& scan : g.snapshot->scans)
+        planes += scan.planes ? scan.planes->planes.size() : 0;
       const Rgb none = planeColour(kNoPlane);
       legend_->showList(tr("%1 planes, a colour each").arg(countText(planes)),
                         {{QColor(none.r, none.g, none.b), tr("no plane"), {}}});
       break;
     }
-    case CloudColouring::Height: legend_->showScale(tr("Height in m"), g.scale); break;
+    case CloudColouring::Height:
+      legend_->showScale(tr("Height in m"), g.scale);
+      break;
   }
   setLegend(legend_);
 }
@@ -139,8 +144,8 @@ void CloudView::describe() {
 void CloudView::pick(QPoint position) {
   if (!geometry_) return;
   const Eigen::Vector2d at = displayPosition(position);
-  const size_t i = pickPoint(geometry_->cloud->positions, projection(), at.x(), at.y(), kPickRadius * devicePixelRatioF(),
-                             geometry_->cut);
+  const size_t i = pickPoint(geometry_->cloud->positions, projection(), at.x(), at.y(),
+                             kPickRadius * devicePixelRatioF(), geometry_->cut);
   if (i == kNothingPicked)
     selection_.clear();
   else
@@ -158,7 +163,8 @@ void CloudView::highlight() {
         if (belongs(i)) marked_.addPoint(g.cloud->positions[i]);
     };
     const auto markPlane = [&](PlaneLabel label) {
-      if (const Plane* plane = label == kNoPlane ? nullptr : g.snapshot->plane(label)) outline_.addLoop(plane->hull);
+      if (const Plane* plane = label == kNoPlane ? nullptr : g.snapshot->plane(label))
+        outline_.addLoop(plane->hull);
     };
     if (const auto* point = std::get_if<PointRef>(&selection_.get())) {
       point_.addPoint(positionOf(*g.snapshot, *point));

@@ -31,15 +31,19 @@ void MapView::setGeometry(const ViewGeometryPtr& geometry) {
   if (!geometry_) return;
   const ViewGeometry& g = *geometry_;
   const auto& mesh = kind_ == Kind::Columns ? g.columns : g.boxes;
-  const bool same = old && mesh == (kind_ == Kind::Columns ? old->columns : old->boxes) &&
-                    old->snapshot->objectMap == g.snapshot->objectMap;
-  if (!same) actor_.set(mesh, kind_ == Kind::Columns ? g.columnsCoarse : g.boxesCoarse);
+  const bool sameMesh = old && mesh == (kind_ == Kind::Columns ? old->columns : old->boxes);
+  if (!sameMesh) {
+    actor_.set(mesh, kind_ == Kind::Columns ? g.columnsCoarse : g.boxesCoarse);
+    if (old && old->cloud == g.cloud) noteChange();
+  }
 
   QStringList parts;
   if (kind_ == Kind::Columns && g.columnHeights) {
     const auto seen = std::ranges::count_if(*g.columnHeights, [](float z) { return !std::isnan(z); });
-    parts << tr("%1 cells of %2").arg(countText(static_cast<size_t>(seen)), metresText(g.snapshot->params.grid.cell, 2));
-    parts << (g.cut < g.highest ? tr("highest below %1").arg(metresText(g.cut, 2)) : tr("highest of each cell"));
+    parts << tr("%1 cells of %2")
+                 .arg(countText(static_cast<size_t>(seen)), metresText(g.snapshot->params.grid.cell, 2));
+    parts << (g.cut < g.highest ? tr("highest below %1").arg(metresText(g.cut, 2))
+                                : tr("highest of each cell"));
   } else if (kind_ == Kind::Boxes && g.boxes) {
     parts << tr("%1 records").arg(countText(g.boxCount));
     parts << tr("ε %1").arg(metresText(g.snapshot->params.intervals.epsilon, 2));
@@ -48,17 +52,16 @@ void MapView::setGeometry(const ViewGeometryPtr& geometry) {
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
   legend_->showScale(tr("Height in m"), g.scale);
   setLegend(legend_);
-  // A selected plane's cells are shown by the object map; without a selection only the mesh counts.
-  if (!same && (!old || mesh != (kind_ == Kind::Columns ? old->columns : old->boxes) ||
-                !std::holds_alternative<std::monostate>(selection_.get())))
-    highlight();
+  // Drawing is what costs: planes found anew matter here only while one of them is marked.
+  if (!sameMesh || std::holds_alternative<PlaneLabel>(selection_.get())) highlight();
 }
 
 std::optional<CellIndex> MapView::cellUnder(QPoint position) const {
   if (!geometry_) return std::nullopt;
   const ViewGeometry& g = *geometry_;
   if (kind_ == Kind::Columns)
-    return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base) : std::nullopt;
+    return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base)
+                           : std::nullopt;
   return g.boxes ? pickBox(rayAt(position), *g.snapshot->intervalMap, g.cut) : std::nullopt;
 }
 

@@ -11,6 +11,7 @@
 #include <vtkRendererCollection.h>
 
 #include <QBoxLayout>
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "base/units.h"
 #include "widgets/theme.h"
@@ -29,7 +31,7 @@ namespace {
 
 /// Turns about the vertical and up and down, but never over the top; no keys of its own.
 class UprightStyle : public vtkInteractorStyleTrackballCamera {
- public:
+public:
   static UprightStyle* New();
 
   void Rotate() override {
@@ -62,11 +64,12 @@ class UprightStyle : public vtkInteractorStyleTrackballCamera {
 };
 vtkStandardNewMacro(UprightStyle)
 
-void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
+    void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(new std::function<void()>(std::move(call)));
   command->SetClientDataDeleteCallback([](void* p) { delete static_cast<std::function<void()>*>(p); });
-  command->SetCallback([](vtkObject*, unsigned long, void* p, void*) { (*static_cast<std::function<void()>*>(p))(); });
+  command->SetCallback(
+      [](vtkObject*, unsigned long, void* p, void*) { (*static_cast<std::function<void()>*>(p))(); });
   object->AddObserver(event, command);
 }
 
@@ -120,8 +123,8 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   connect(&fullDetail_, &QTimer::timeout, this, [this] {
     moving_ = false;
     setCoarse(false);
-    emit cameraMoved();
     scheduleRender();
+    if (std::exchange(cameraMoving_, false)) emit cameraMoved();
   });
   render_.setSingleShot(true);
   render_.setInterval(0);
@@ -142,7 +145,9 @@ void VtkView::setSubtitle(const QString& text) {
   subtitle_->setToolTip(text);
 }
 
-void VtkView::addHeaderWidget(QWidget* widget) { headerLayout_->insertWidget(headerLayout_->count() - 1, widget); }
+void VtkView::addHeaderWidget(QWidget* widget) {
+  headerLayout_->insertWidget(headerLayout_->count() - 1, widget);
+}
 
 void VtkView::setLegend(QWidget* legend) {
   legend_ = legend;
@@ -151,9 +156,13 @@ void VtkView::setLegend(QWidget* legend) {
   placeLegend();
 }
 
-void VtkView::setMaximised(bool maximised) { maximise_->setChecked(maximised); }
+void VtkView::setMaximised(bool maximised) {
+  maximise_->setChecked(maximised);
+}
 
-QWidget* VtkView::canvas() const { return canvas_; }
+QWidget* VtkView::canvas() const {
+  return canvas_;
+}
 
 void VtkView::look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction) {
   const double aspect = static_cast<double>(std::max(1, canvas_->width())) / std::max(1, canvas_->height());
@@ -171,7 +180,7 @@ void VtkView::copyCamera(const VtkView& other) {
   to->SetPosition(from->GetPosition());
   to->SetFocalPoint(from->GetFocalPoint());
   to->SetViewUp(from->GetViewUp());
-  setCoarse(other.moving_);
+  if (other.moving_ || !fullDetail_.isActive()) setCoarse(other.moving_);
   scheduleRender();
 }
 
@@ -182,17 +191,30 @@ void VtkView::scheduleRender() {
 void VtkView::renderNow() {
   render_.stop();
   if (!canvas_->isVisible()) return;
+  QElapsedTimer timer;
+  timer.start();
   renderer_->ResetCameraClippingRange();
   window_->Render();
+  emit drawn(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+}
+
+void VtkView::noteChange() {
+  if (!moving_) {
+    moving_ = true;
+    setCoarse(true);
+  }
+  fullDetail_.start();
 }
 
 void VtkView::beginMove() {
   fullDetail_.stop();
-  moving_ = true;
+  moving_ = cameraMoving_ = true;
   setCoarse(true);
 }
 
-void VtkView::endMove() { fullDetail_.start(); }
+void VtkView::endMove() {
+  fullDetail_.start();
+}
 
 Eigen::Vector2d VtkView::displayPosition(QPoint p) const {
   const double ratio = canvas_->devicePixelRatioF();
@@ -251,8 +273,12 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
   if (object == header_ && event->type() == QEvent::MouseButtonDblClick) emit maximiseToggled();
   if (object == canvas_) {
     switch (event->type()) {
-      case QEvent::Resize: placeLegend(); break;
-      case QEvent::Show: scheduleRender(); break;
+      case QEvent::Resize:
+        placeLegend();
+        break;
+      case QEvent::Show:
+        scheduleRender();
+        break;
       case QEvent::MouseButtonPress: {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         pressed_ = mouse->pos();
@@ -267,7 +293,8 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
         if (click) emit clicked(mouse->pos());
         break;
       }
-      default: break;
+      default:
+        break;
     }
   }
   return QFrame::eventFilter(object, event);
@@ -276,7 +303,8 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
 QString openGlProblem() {
   QOpenGLContext context;
   context.setFormat(QSurfaceFormat::defaultFormat());
-  const QString remedy = QObject::tr("install a graphics driver or Mesa's software renderer, or use stratascope-cli");
+  const QString remedy =
+      QObject::tr("install a graphics driver or Mesa's software renderer, or use stratascope-cli");
   if (!context.create()) return QObject::tr("OpenGL cannot be used on this display; %1").arg(remedy);
   const auto version = context.format().version();
   if (version < qMakePair(3, 2))

@@ -20,11 +20,11 @@ class QVTKOpenGLNativeWidget;
 
 namespace stratascope {
 
-/// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing while it
-/// moves. The vertical stays vertical. Needs OpenGL (see openGlProblem()).
+/// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing
+/// while it moves. The vertical stays vertical. Needs OpenGL (see openGlProblem()).
 class VtkView : public QFrame {
   Q_OBJECT
- public:
+public:
   explicit VtkView(const QString& title, QWidget* parent = nullptr);
   ~VtkView() override;
 
@@ -40,7 +40,10 @@ class VtkView : public QFrame {
 
   /// Draws at the next chance; many calls make one picture.
   void scheduleRender();
+  bool renderPending() const { return render_.isActive(); }
   void renderNow();
+  /// The data is changing from picture to picture: coarse drawing until it has been still for a moment.
+  void noteChange();
   /// The picture as last drawn, with the overlays.
   QWidget* canvas() const;
 
@@ -51,19 +54,20 @@ class VtkView : public QFrame {
   /// Where a point of the map is on the canvas.
   QPointF canvasPosition(const Eigen::Vector3d& point) const;
 
- signals:
+signals:
   void clicked(QPoint widgetPosition);
   void cameraMoved();
   void maximiseToggled();
+  void drawn(double seconds);
 
- protected:
+protected:
   /// While the camera moves.
   virtual void setCoarse(bool coarse) = 0;
   vtkRenderer* renderer() const { return renderer_; }
   bool eventFilter(QObject* object, QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
- private:
+private:
   void beginMove();
   void endMove();
   void placeLegend();
@@ -81,7 +85,8 @@ class VtkView : public QFrame {
   QTimer render_;
   QPoint pressed_;
   bool pressedLeft_ = false;
-  bool moving_ = false;
+  bool moving_ = false;        ///< drawn coarse
+  bool cameraMoving_ = false;  ///< because the camera moves: linked views follow
 };
 
 /// Why no picture could be drawn here, in one line; empty if OpenGL 3.2 is there. Needs a QApplication.

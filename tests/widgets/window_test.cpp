@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The window as a person uses it: opens a file, drags the real sliders, clicks, and must show what the core computes.
+// The window as a person uses it: opens a file, drags the real sliders, clicks, and must show what the core
+// computes.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -9,6 +10,7 @@
 #include <QImage>
 #include <QMouseEvent>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
@@ -44,7 +46,8 @@ QString roomFile(const QString& folder) {
     const double theta = headAngleFromElevation(degToRad(-50 + i * 1.25));
     std::vector<float> ranges;
     for (float phi : beams) {
-      const Eigen::Vector3d d(std::sin(theta) * std::sin(phi), std::cos(phi), std::cos(theta) * std::sin(phi));
+      const Eigen::Vector3d d(std::sin(theta) * std::sin(phi), std::cos(phi),
+                              std::cos(theta) * std::sin(phi));
       double r = std::numeric_limits<double>::infinity();
       const double low[3] = {kBehind, kRight, kFloor}, high[3] = {kAhead, kLeft, kCeiling};
       for (int a = 0; a < 3; ++a)
@@ -75,7 +78,7 @@ bool waitFor(const Condition& condition) {
 }
 
 class Window : public testing::Test {
- protected:
+protected:
   void SetUp() override {
     ASSERT_TRUE(folder_.isValid());
     path_ = roomFile(folder_.path());
@@ -86,7 +89,8 @@ class Window : public testing::Test {
     ASSERT_TRUE(settle());
   }
   bool settle() {
-    return waitFor([this] { return window_->snapshot() && window_->idle(); }) && (QTest::qWait(300), window_->idle());
+    return waitFor([this] { return window_->snapshot() && window_->idle(); }) &&
+           (QTest::qWait(300), window_->idle());
   }
   /// The same parameters through the synchronous pipeline.
   SnapshotPtr computed() {
@@ -143,7 +147,8 @@ TEST_F(Window, ShowsWhatTheCoreComputes) {
     EXPECT_GT(countNear(picture, heightColour(0), 12), 1000);
     int bright = 0;
     for (int y = 0; y < picture.height() / 2; ++y)
-      for (int x = 0; x < picture.width(); ++x) bright += qGreen(picture.pixel(x, y)) > 150 && qBlue(picture.pixel(x, y)) < 120;
+      for (int x = 0; x < picture.width(); ++x)
+        bright += qGreen(picture.pixel(x, y)) > 150 && qBlue(picture.pixel(x, y)) < 120;
     EXPECT_GT(bright, 50);
   }
 }
@@ -168,7 +173,8 @@ TEST_F(Window, CutsBelowTheCeilingAndKeepsTheResult) {
   const auto& columns = *window_->bridge().geometry()->columnHeights;
   const auto& heights = window_->snapshot()->heightMap->height;
   ASSERT_EQ(columns.size(), heights.size());
-  for (size_t i = 0; i < columns.size(); ++i) EXPECT_TRUE(columns[i] == heights[i] || (std::isnan(columns[i]) && std::isnan(heights[i])));
+  for (size_t i = 0; i < columns.size(); ++i)
+    EXPECT_TRUE(columns[i] == heights[i] || (std::isnan(columns[i]) && std::isnan(heights[i])));
 }
 
 TEST_F(Window, DraggedSlidersEndWithTheResultOfTheLastValue) {
@@ -225,8 +231,10 @@ TEST_F(Window, ClickedPointIsTheNearestOneAndLightsUpInTheMaps) {
     const auto neuron = neuronOf(*g.snapshot, *point);
     ASSERT_TRUE(neuron);
     const QString text = window_->probePanel().plainText().simplified();
-    EXPECT_TRUE(text.contains(QStringLiteral("Line %1 Beam %2").arg(neuron->row).arg(neuron->col))) << text.toStdString();
-    EXPECT_TRUE(text.contains("Range") && text.contains("Normal") && text.contains("Cell")) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("Line %1 Beam %2").arg(neuron->row).arg(neuron->col)))
+        << text.toStdString();
+    EXPECT_TRUE(text.contains("Range") && text.contains("Normal") && text.contains("Cell"))
+        << text.toStdString();
   }
   EXPECT_EQ(clicked, 10);
   EXPECT_GT(countNear(pictureOf(view), kHighlight, 10), 40);
@@ -258,7 +266,8 @@ TEST_F(Window, ClickedCellIsTheFirstOneOnTheRay) {
         } else {
           for (const HeightInterval& r : g.snapshot->intervalMap->cell(c)) {
             const double top = std::min<double>(r.max, g.cut);
-            if (r.min <= g.cut && lower <= top && upper >= std::min<double>(r.min, top - minimumBoxThickness(frame)))
+            if (r.min <= g.cut && lower <= top &&
+                upper >= std::min<double>(r.min, top - minimumBoxThickness(frame)))
               right = c;
           }
         }
@@ -273,12 +282,14 @@ TEST_F(Window, ClickedCellIsTheFirstOneOnTheRay) {
       ASSERT_TRUE(cell);
       EXPECT_EQ(*cell, *found);
       const QString text = window_->probePanel().plainText().simplified();
-      EXPECT_TRUE(text.contains(QStringLiteral("Cell k %1, l %2").arg(cell->k).arg(cell->l))) << text.toStdString();
+      EXPECT_TRUE(text.contains(QStringLiteral("Cell k %1, l %2").arg(cell->k).arg(cell->l)))
+          << text.toStdString();
       EXPECT_TRUE(text.contains("Records " + QString::number(g.snapshot->intervalMap->cell(*cell).size())));
       ++hits;
     }
     EXPECT_GT(hits, 5);
-    for (VtkView* v : {static_cast<VtkView*>(window_->views().columns()), static_cast<VtkView*>(window_->views().boxes())})
+    for (VtkView* v :
+         {static_cast<VtkView*>(window_->views().columns()), static_cast<VtkView*>(window_->views().boxes())})
       EXPECT_GT(countNear(pictureOf(v), kHighlight, 10), 5);
   }
 }
@@ -292,7 +303,8 @@ TEST_F(Window, DraggingTurnsAllViewsAndSelectsNothing) {
     QTest::mousePress(canvas, Qt::LeftButton, {}, at);
     for (int i = 0; i < 8; ++i) {
       at += QPoint(9, 4);
-      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                       Qt::NoModifier);
       QApplication::sendEvent(canvas, &move);
     }
     QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
@@ -315,14 +327,16 @@ TEST_F(Window, DraggingTurnsAllViewsAndSelectsNothing) {
 TEST_F(Window, SelectedPlaneLightsUpEverywhere) {
   const SnapshotPtr s = window_->snapshot();
   ASSERT_FALSE(s->scans[0].planes->planes.empty());
-  for (VtkView* v : {static_cast<VtkView*>(window_->views().cloud()), static_cast<VtkView*>(window_->views().boxes())})
+  for (VtkView* v :
+       {static_cast<VtkView*>(window_->views().cloud()), static_cast<VtkView*>(window_->views().boxes())})
     EXPECT_EQ(countNear(pictureOf(v), kHighlight, 10), 0);
   const auto floor = std::ranges::find(s->scans[0].planes->planes, "floor", &Plane::role);
   ASSERT_NE(floor, s->scans[0].planes->planes.end());
   window_->selection().set(floor->label);
   EXPECT_TRUE(window_->probePanel().plainText().contains("floor"));
-  for (VtkView* v : {static_cast<VtkView*>(window_->views().cloud()), static_cast<VtkView*>(window_->views().columns()),
-                     static_cast<VtkView*>(window_->views().boxes())})
+  for (VtkView* v :
+       {static_cast<VtkView*>(window_->views().cloud()), static_cast<VtkView*>(window_->views().columns()),
+        static_cast<VtkView*>(window_->views().boxes())})
     EXPECT_GT(countNear(pictureOf(v), kHighlight, 10), 500);
 }
 
@@ -331,12 +345,15 @@ TEST_F(Window, BadFileLeavesTheScanOnScreen) {
   const QString bad = folder_.path() + "/broken.pcd";
   QFile file(bad);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT 1\nPOINTS 9\nDATA ascii\n1 2\n");
+  file.write(
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT "
+      "1\nPOINTS 9\nDATA ascii\n1 2\n");
   file.close();
   EXPECT_FALSE(window_->messageBar().isVisible());
   window_->openFiles({bad});
   ASSERT_TRUE(waitFor([this] { return window_->messageBar().isVisible(); }));
-  EXPECT_TRUE(window_->messageBar().text().contains("broken.pcd")) << window_->messageBar().text().toStdString();
+  EXPECT_TRUE(window_->messageBar().text().contains("broken.pcd"))
+      << window_->messageBar().text().toStdString();
   ASSERT_TRUE(settle());
   EXPECT_EQ(window_->snapshot(), before);
   window_->openFiles({path_});
@@ -352,7 +369,8 @@ TEST(WindowProgram, BatchWritesPictureAndResultsOrOneLine) {
   EXPECT_EQ(good.exitCode(), 0) << good.readAllStandardError().toStdString();
   QImage picture(out + "/window.png");
   EXPECT_EQ(picture.size(), QSize(1600, 1000));
-  for (const char* name : {"cloud.pcd", "planes.json", "edges.json", "height_map.asc", "intervals.csv", "run.json"})
+  for (const char* name :
+       {"cloud.pcd", "planes.json", "edges.json", "height_map.asc", "intervals.csv", "run.json"})
     EXPECT_GT(QFile(out + "/" + name).size(), 2) << name;
 
   QProcess bad;
@@ -361,6 +379,52 @@ TEST(WindowProgram, BatchWritesPictureAndResultsOrOneLine) {
   EXPECT_EQ(bad.exitCode(), 1);
   EXPECT_TRUE(bad.readAllStandardError().contains("nothing.pcd"));
   EXPECT_FALSE(QFile::exists(folder.path() + "/none"));
+}
+
+TEST(WindowProgram, MeasuresADragInAllItsParts) {
+  QTemporaryDir folder;
+  const QString path = roomFile(folder.path());
+  QProcess program;
+  program.start(STRATASCOPE_WINDOW, {path, "--measure-drag", "epsilon", "1"});
+  ASSERT_TRUE(program.waitForFinished(120000));
+  const QString text = program.readAllStandardOutput();
+  ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+  const auto numbers = [&](const QString& pattern) {
+    const auto match = QRegularExpression(pattern).match(text);
+    EXPECT_TRUE(match.hasMatch()) << pattern.toStdString() << "\n" << text.toStdString();
+    return QPair<double, double>(match.captured(1).toDouble(), match.captured(2).toDouble());
+  };
+  const auto [events, pictures] = numbers("(\\d+) slider events, (\\d+) pictures");
+  EXPECT_GT(events, 3);
+  EXPECT_GT(pictures, 0);
+  EXPECT_LE(pictures, events);
+  const auto whole = numbers("slider to picture +([\\d.]+) +([\\d.]+)");
+  EXPECT_LE(whole.first, whole.second);
+  for (const char* part :
+       {"waiting for its turn", "computing", "handing over", "building geometry", "drawing"}) {
+    const auto share = numbers(QString::fromUtf8(part) + " +([\\d.]+) +([\\d.]+)");
+    EXPECT_LE(share.second, whole.second + 1) << part;
+  }
+  EXPECT_GT(numbers("  drawing +([\\d.]+) +([\\d.]+)").first, 0);
+  numbers("blocked at most ([\\d.]+) ms; by other than drawing ([\\d.]+) ms");
+
+  program.start(STRATASCOPE_WINDOW, {path, "--measure-drag", "epsilon3"});
+  ASSERT_TRUE(program.waitForFinished(120000));
+  EXPECT_EQ(program.exitCode(), 2);
+  EXPECT_TRUE(program.readAllStandardError().contains("epsilon"));
+}
+
+TEST_F(Window, ChangedEpsilonDrawsOnlyTheViewThatChanged) {
+  int drawn[3] = {};
+  ViewArea& views = window_->views();
+  QObject::connect(views.cloud(), &VtkView::drawn, [&] { ++drawn[0]; });
+  QObject::connect(views.columns(), &VtkView::drawn, [&] { ++drawn[1]; });
+  QObject::connect(views.boxes(), &VtkView::drawn, [&] { ++drawn[2]; });
+  slider("epsilon")->setValue(slider("epsilon")->value() + 15);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(drawn[0], 0);
+  EXPECT_EQ(drawn[1], 0);
+  EXPECT_GT(drawn[2], 0);
 }
 
 TEST(SliderScale, EveryPlaceIsAValueThatReadsBack) {
