@@ -14,6 +14,8 @@
 #include "app/main_window.h"
 #include "app/session.h"
 #include "widgets/cut_control.h"
+#include "widgets/param_history.h"
+#include "widgets/param_panel.h"
 #include "widgets/theme.h"
 #include "widgets/view_area.h"
 
@@ -30,13 +32,14 @@ Actions::Actions(MainWindow& window, Session& session, CutControl& cut)
   setHasResult(false);
 }
 
-QAction* Actions::add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key, const QString& tip,
-                      std::function<void()> act) {
+QAction* Actions::add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key,
+                      const QString& tip, std::function<void()> act) {
   QAction* action = menu->addAction(text);
   if (!icon.isEmpty()) setThemedIcon(action, icon);
   action->setShortcut(key);
   if (!tip.isEmpty())
-    action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setToolTip(
+        key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
   connect(action, &QAction::triggered, this, std::move(act));
   return action;
 }
@@ -53,7 +56,8 @@ void Actions::buildFileMenu() {
                 [this] { window_.reload(); });
   file->addSeparator();
   export_ = add(file, tr("&Export…"), "export", QKeySequence(QStringLiteral("Ctrl+E")),
-                tr("Write cloud, planes, edges and both maps into a folder"), [this] { window_.exportResultsTo(); });
+                tr("Write cloud, planes, edges and both maps into a folder"),
+                [this] { window_.exportResultsTo(); });
   picture_ = add(file, tr("&Save picture…"), "picture", QKeySequence::Save, tr("Save a picture of the views"),
                  [this] { window_.savePicture(); });
   file->addSeparator();
@@ -74,27 +78,45 @@ void Actions::fillRecent() {
 
 void Actions::buildEditMenu() {
   QMenu* edit = window_.menuBar()->addMenu(tr("&Edit"));
+  undo_ = window_.history().createUndoAction(this, tr("&Undo"));
+  undo_->setShortcut(QKeySequence::Undo);
+  redo_ = window_.history().createRedoAction(this, tr("&Redo"));
+  redo_->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
+  setThemedIcon(undo_, "undo");
+  setThemedIcon(redo_, "redo");
+  edit->addAction(undo_);
+  edit->addAction(redo_);
+  edit->addSeparator();
+  add(edit, tr("Reset all &parameters"), {}, {}, {}, [this] { window_.paramPanel().resetAll(); });
   add(edit, tr("&Load parameters…"), {}, {}, {}, [this] { window_.loadParamsFrom(); });
   add(edit, tr("&Save parameters…"), {}, {}, {}, [this] { window_.saveParamsTo(); });
-  needResult_.push_back(add(edit, tr("&Copy as command line"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
+  needResult_.push_back(add(edit, tr("&Copy as command line"), {},
+                            QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
                             [this] { window_.copyCommandLine(); }));
   edit->addSeparator();
-  add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {}, [this] { window_.selection().clear(); });
+  add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {},
+      [this] { window_.selection().clear(); });
 }
 
 void Actions::buildViewMenu() {
   QMenu* view = window_.menuBar()->addMenu(tr("&View"));
-  const auto look = [this](ViewDirection direction) { return [this, direction] { window_.views().look(direction); }; };
+  const auto look = [this](ViewDirection direction) {
+    return [this, direction] { window_.views().look(direction); };
+  };
   reset_ = add(view, tr("&Reset"), "reset", QKeySequence(Qt::Key_R), tr("Fit the data into all views"),
                look(ViewDirection::Iso));
   view->addSeparator();
   directions_ = {
-      add(view, tr("&Oblique"), "iso", QKeySequence(Qt::Key_5), tr("From behind the sensor, from above"), look(ViewDirection::Iso)),
+      add(view, tr("&Oblique"), "iso", QKeySequence(Qt::Key_5), tr("From behind the sensor, from above"),
+          look(ViewDirection::Iso)),
       add(view, tr("&Top"), "top", QKeySequence(Qt::Key_7), tr("From above"), look(ViewDirection::Top)),
-      add(view, tr("&Front"), "front", QKeySequence(Qt::Key_1), tr("As the sensor looks"), look(ViewDirection::Front)),
-      add(view, tr("&Side"), "side", QKeySequence(Qt::Key_3), tr("From the right"), look(ViewDirection::Side))};
+      add(view, tr("&Front"), "front", QKeySequence(Qt::Key_1), tr("As the sensor looks"),
+          look(ViewDirection::Front)),
+      add(view, tr("&Side"), "side", QKeySequence(Qt::Key_3), tr("From the right"),
+          look(ViewDirection::Side))};
   view->addSeparator();
-  link_ = add(view, tr("&Link cameras"), "link", QKeySequence(Qt::Key_L), tr("Turn all three views together"), [] {});
+  link_ = add(view, tr("&Link cameras"), "link", QKeySequence(Qt::Key_L), tr("Turn all three views together"),
+              [] {});
   link_->setCheckable(true);
   link_->setChecked(true);
   connect(link_, &QAction::toggled, this, [this](bool on) { window_.views().setLinked(on); });
@@ -137,6 +159,9 @@ void Actions::buildToolBar(CutControl& cut) {
     auto* button = static_cast<QToolButton*>(bar->widgetForAction(action));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
+  bar->addSeparator();
+  bar->addAction(undo_);
+  bar->addAction(redo_);
   bar->addSeparator();
   bar->addAction(reset_);
   for (QAction* action : directions_) bar->addAction(action);

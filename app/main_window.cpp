@@ -20,8 +20,10 @@
 #include "app/welcome_page.h"
 #include "widgets/cut_control.h"
 #include "widgets/message_bar.h"
+#include "widgets/param_history.h"
 #include "widgets/param_panel.h"
 #include "widgets/plane_table.h"
+#include "widgets/preset_bar.h"
 #include "widgets/probe_panel.h"
 #include "widgets/stage_strip.h"
 #include "widgets/status_strip.h"
@@ -106,6 +108,9 @@ void MainWindow::buildDocks() {
     return d;
   };
   params_ = new ParamPanel;
+  presets_ = new PresetBar(session_->presetFolder());
+  params_->setHeader(presets_);
+  history_ = new ParamHistory([this](const PipelineParams& params) { setParams(params); }, this);
   probe_ = new ProbePanel(selection_);
   planes_ = new PlaneTable(selection_);
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
@@ -116,7 +121,12 @@ void MainWindow::buildDocks() {
 }
 
 void MainWindow::connectParts() {
-  connect(params_, &ParamPanel::paramsChanged, bridge_, &PipelineBridge::setParams);
+  connect(params_, &ParamPanel::edited, history_, &ParamHistory::add);
+  connect(params_, &ParamPanel::stagePointedAt, stages_, &StageStrip::setAffected);
+  connect(presets_, &PresetBar::chosen, this, [this](const PipelineParams& params, const QString& name) {
+    changeParams(params, tr("Preset %1").arg(name));
+  });
+  connect(presets_, &PresetBar::failed, this, &MainWindow::showError);
   connect(bridge_, &PipelineBridge::geometryChanged, this, &MainWindow::takeGeometry);
   connect(bridge_, &PipelineBridge::failed, this, &MainWindow::showError);
   connect(bridge_, &PipelineBridge::progressChanged, this, [this](bool, int stage) {
@@ -145,8 +155,13 @@ SnapshotPtr MainWindow::snapshot() const {
 }
 
 void MainWindow::setParams(const PipelineParams& params) {
-  params_->setParams(params);
+  if (!(params_->params() == params)) params_->setParams(params);
+  presets_->setParams(params);
   bridge_->setParams(params);
+}
+
+void MainWindow::changeParams(const PipelineParams& params, const QString& what) {
+  if (!(params == params_->params())) history_->add({params_->params(), params, what, {}, 0});
 }
 
 void MainWindow::takeGeometry() {

@@ -22,8 +22,10 @@ namespace stratascope {
 class Actions;
 class CutControl;
 class MessageBar;
+class ParamHistory;
 class ParamPanel;
 class PlaneTable;
+class PresetBar;
 class ProbePanel;
 class Session;
 class StageStrip;
@@ -44,6 +46,8 @@ public:
   /// file, or none.
   void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
   void setParams(const PipelineParams& params);
+  /// The same as a step that can be undone under that name.
+  void changeParams(const PipelineParams& params, const QString& what);
 
   /// Nothing is being read, computed or drawn.
   bool idle() const { return reading_ == 0 && !bridge_->busy(); }
@@ -53,6 +57,9 @@ public:
   Selection& selection() { return selection_; }
   ViewArea& views() { return *views_; }
   ParamPanel& paramPanel() { return *params_; }
+  ParamHistory& history() { return *history_; }
+  PresetBar& presets() { return *presets_; }
+  StageStrip& stageStrip() { return *stages_; }
   ProbePanel& probePanel() { return *probe_; }
   MessageBar& messageBar() { return *message_; }
 
@@ -92,6 +99,8 @@ private:
   QStackedWidget* pages_;
   MessageBar* message_;
   ParamPanel* params_;
+  PresetBar* presets_;
+  ParamHistory* history_;
   ProbePanel* probe_;
   PlaneTable* planes_;
   CutControl* cut_;

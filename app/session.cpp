@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
 
 namespace stratascope {
@@ -41,6 +42,12 @@ void Session::addRecent(const QStringList& paths) {
 
 QString Session::lastDirectory() const {
   return recent_.isEmpty() ? QDir::currentPath() : QFileInfo(recent_.front()).absolutePath();
+}
+
+QString Session::presetFolder() const {
+  return keep_ ? QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
+                     QStringLiteral("/presets")
+               : QString();
 }
 
 void Session::setTheme(Theme theme) {

@@ -18,7 +18,7 @@ constexpr int kDot = 7, kPad = 8, kGap = 6;
 
 StageStrip::StageStrip(QWidget* parent) : QWidget(parent) {
   setObjectName("stageStrip");
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Stages"));
 }
 
@@ -55,7 +55,8 @@ QRect StageStrip::field(int stage) const {
     edge[i + 1] = edge[i] + metrics.horizontalAdvance(tr(stageLabel(static_cast<Stage>(i)))) +
                   metrics.horizontalAdvance(QStringLiteral("888 ms")) + 2 * kPad + kDot + 2 * kGap + 4;
   const double scale = std::min(1.0, static_cast<double>(width() - 12) / edge[kStageCount]);
-  const int left = 6 + static_cast<int>(scale * edge[stage]), right = 6 + static_cast<int>(scale * edge[stage + 1]);
+  const int left = 6 + static_cast<int>(scale * edge[stage]),
+            right = 6 + static_cast<int>(scale * edge[stage + 1]);
   return {left, 0, right - left, height()};
 }
 
