@@ -44,6 +44,27 @@ QAction* Actions::add(QMenu* menu, const QString& text, const QString& icon, con
   return action;
 }
 
+QAction* Actions::check(QMenu* menu, const QString& text, const QKeySequence& key, bool on,
+                        std::function<void(bool)> act) {
+  QAction* action = menu->addAction(text);
+  action->setShortcut(key);
+  action->setCheckable(true);
+  action->setChecked(on);
+  connect(action, &QAction::toggled, this, std::move(act));
+  return action;
+}
+
+void Actions::choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act) {
+  auto* group = new QActionGroup(this);
+  for (int i = 0; i < names.size(); ++i) {
+    QAction* action = menu->addAction(names[i]);
+    action->setCheckable(true);
+    action->setChecked(i == chosen);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [act, i] { act(i); });
+  }
+}
+
 void Actions::buildFileMenu() {
   QMenu* file = window_.menuBar()->addMenu(tr("&File"));
   open_ = add(file, tr("&Open…"), "open", QKeySequence::Open, tr("Open one scan, or several into one map"),
@@ -120,9 +141,30 @@ void Actions::buildViewMenu() {
   link_->setCheckable(true);
   link_->setChecked(true);
   connect(link_, &QAction::toggled, this, [this](bool on) { window_.views().setLinked(on); });
-  QAction* edges = add(view, tr("&Vertical edges"), {}, QKeySequence(Qt::Key_E), {}, [] {});
-  edges->setCheckable(true);
-  connect(edges, &QAction::toggled, this, [this](bool on) { window_.views().cloud()->setEdgesVisible(on); });
+  QAction* parallel = check(view, tr("O&rthographic"), QKeySequence(Qt::Key_P), false,
+                            [this](bool on) { window_.views().setPerspective(!on); });
+  parallel->setToolTip(tr("Without perspective: lengths can be compared"));
+  add(view, tr("&Fit"), {}, QKeySequence(Qt::Key_F), {}, [this] { window_.views().fit(); });
+  add(view, tr("Turn about the selection"), {}, QKeySequence(Qt::Key_O), {},
+      [this] { window_.views().orbitSelection(); });
+  view->addSeparator();
+  check(view, tr("&Ground grid"), QKeySequence(Qt::Key_G), true,
+        [this](bool on) { window_.views().setGrid(on); });
+  check(view, tr("&Plane outlines"), QKeySequence(Qt::Key_H), false,
+        [this](bool on) { window_.views().cloud()->setOutlines(on); });
+  QMenu* edges = view->addMenu(tr("&Edges"));
+  choose(edges, {tr("None"), tr("Vertical ones"), tr("All, by kind")}, 0,
+         [this](int i) { window_.views().cloud()->setEdges(static_cast<CloudView::Edges>(i)); });
+  QMenu* map = view->addMenu(tr("&Colours"));
+  QMenu* meaning = map->addMenu(tr("Of the maps"));
+  QStringList names;
+  for (int i = 0; i < kMapColourings; ++i) names << colouringName(static_cast<MapColouring>(i));
+  choose(meaning, names, 0, [this](int i) { window_.setMapColouring(static_cast<MapColouring>(i)); });
+  choose(map, {tr("Viridis"), tr("Cividis")}, 0,
+         [this](int i) { window_.setColourMap(static_cast<ColourMap>(i)); });
+  QAction* lock = check(map, tr("Lock ranges"), QKeySequence(Qt::Key_K), false,
+                        [this](bool on) { window_.lockRanges(on); });
+  lock->setToolTip(tr("Keep the ranges of both scalar bars whatever the data says"));
   view->addSeparator();
 
   QMenu* theme = view->addMenu(tr("&Appearance"));
@@ -138,6 +180,8 @@ void Actions::buildViewMenu() {
   }
   view->addSeparator();
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
+  add(view, tr("Reset la&yout"), {}, {}, tr("All docks back to their places"),
+      [this] { window_.resetLayout(); });
   QAction* full = add(view, tr("F&ull screen"), {}, QKeySequence(Qt::Key_F11), {}, [] {});
   full->setCheckable(true);
   connect(full, &QAction::toggled, this, [this](bool on) {

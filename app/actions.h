@@ -29,6 +29,10 @@ public:
 private:
   QAction* add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key,
                const QString& tip, std::function<void()> act);
+  QAction* check(QMenu* menu, const QString& text, const QKeySequence& key, bool on,
+                 std::function<void(bool)> act);
+  /// One of several.
+  void choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act);
   void buildFileMenu();
   void buildEditMenu();
   void buildViewMenu();

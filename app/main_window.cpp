@@ -19,6 +19,7 @@
 #include "app/session.h"
 #include "app/welcome_page.h"
 #include "widgets/cut_control.h"
+#include "widgets/log_panel.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_history.h"
 #include "widgets/param_panel.h"
@@ -27,6 +28,7 @@
 #include "widgets/probe_panel.h"
 #include "widgets/stage_strip.h"
 #include "widgets/status_strip.h"
+#include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
 // A static library's resources are left out unless asked for; the macro must stand outside any namespace.
@@ -35,6 +37,30 @@ static void initResources() {
 }
 
 namespace stratascope {
+namespace {
+
+/// "Computed Planes, Edges: 0.31 s, 27 planes, 6,260 records"
+QString computedText(const Snapshot& snapshot) {
+  QStringList ran;
+  double seconds = 0;
+  size_t planes = 0;
+  for (int i = 0; i < kStageCount; ++i) {
+    const StageReport& report = snapshot.stages[static_cast<size_t>(i)];
+    if (report.reused) continue;
+    ran << tableText(stageLabel(static_cast<Stage>(i)));
+    seconds += report.seconds;
+  }
+  for (const ScanProducts& scan : snapshot.scans) planes += scan.planes ? scan.planes->planes.size() : 0;
+  return MainWindow::tr("Computed %1 in %2: %3 planes, %4 records")
+      .arg(ran.join(QStringLiteral(", ")), secondsText(seconds), countText(planes),
+           countText(snapshot.intervalMap ? snapshot.intervalMap->records.size() : 0));
+}
+
+QString idleHint() {
+  return MainWindow::tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move");
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   initResources();
@@ -67,6 +93,7 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   stageBar->setMovable(false);
   stageBar->setContextMenuPolicy(Qt::PreventContextMenu);
   stageBar->addWidget(stages_);
+  stageBar->setFixedHeight(stages_->sizeHint().height() + 10);
   addToolBar(Qt::BottomToolBarArea, stageBar);
 
   cut_ = new CutControl;
@@ -91,6 +118,7 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   actions_ = new Actions(*this, *session_, *cut_);
   connectParts();
   welcome_->setRecent(session_->recentFiles());
+  firstLayout_ = saveState();
   session_->restore(*this);
 }
 
@@ -113,6 +141,9 @@ void MainWindow::buildDocks() {
   history_ = new ParamHistory([this](const PipelineParams& params) { setParams(params); }, this);
   probe_ = new ProbePanel(selection_);
   planes_ = new PlaneTable(selection_);
+  log_ = new LogPanel;
+  auto* log = dock(tr("Log"), "logDock", log_, Qt::BottomDockWidgetArea);
+  log->hide();
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
   auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
@@ -143,11 +174,51 @@ void MainWindow::connectParts() {
   connect(views_->cloud(), &CloudView::colouringChosen, this, [this](CloudColouring colouring) {
     ViewOptions options = bridge_->viewOptions();
     options.colouring = colouring;
+    options.cloudRange.reset();
     bridge_->setViewOptions(options);
+  });
+  for (MapView* map : {views_->columns(), views_->boxes()})
+    connect(map, &MapView::colouringChosen, this, &MainWindow::setMapColouring);
+  connect(views_, &ViewArea::hoverText, this, [this](const QString& text) {
+    if (!noteEnds_->isActive()) hint_->setText(text.isEmpty() ? idleHint() : text);
   });
   connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::chooseFiles);
   connect(welcome_, &WelcomePage::fileChosen, this, [this](const QString& path) { openFiles({path}); });
   connect(session_, &Session::recentChanged, welcome_, &WelcomePage::setRecent);
+}
+
+void MainWindow::setMapColouring(MapColouring colouring) {
+  ViewOptions options = bridge_->viewOptions();
+  options.mapColouring = colouring;
+  options.mapRange.reset();
+  bridge_->setViewOptions(options);
+}
+
+void MainWindow::setColourMap(ColourMap map) {
+  ViewOptions options = bridge_->viewOptions();
+  options.colourMap = map;
+  bridge_->setViewOptions(options);
+}
+
+void MainWindow::lockRanges(bool lock) {
+  ViewOptions options = bridge_->viewOptions();
+  options.cloudRange.reset();
+  options.mapRange.reset();
+  if (const auto& g = bridge_->geometry(); lock && g) {
+    if (g->options.colouring > CloudColouring::Direction)
+      options.cloudRange = {g->cloudScale.low, g->cloudScale.high};
+    options.mapRange = {g->mapScale.low, g->mapScale.high};
+  }
+  bridge_->setViewOptions(options);
+}
+
+void MainWindow::resetLayout() {
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setFloating(false);
+  restoreState(firstLayout_);
+}
+
+QString MainWindow::hint() const {
+  return hint_->text();
 }
 
 SnapshotPtr MainWindow::snapshot() const {
@@ -185,6 +256,7 @@ void MainWindow::takeGeometry() {
   cut_->setGeometry(*geometry);
   stages_->setStages(snapshot.stages);
   actions_->setHasResult(true);
+  log_->add(computedText(snapshot));
   if (!otherScans) return;
 
   pages_->setCurrentWidget(views_);
@@ -201,14 +273,14 @@ void MainWindow::takeGeometry() {
 }
 
 void MainWindow::showError(const QString& message) {
+  log_->add(message, LogPanel::Level::Error);
   message_->showError(message);
   emit failed(message);
 }
 
 void MainWindow::note(const QString& text) {
-  hint_->setText(text.isEmpty()
-                     ? tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move")
-                     : text);
+  hint_->setText(text.isEmpty() ? idleHint() : text);
+  if (!text.isEmpty()) log_->add(text);
   if (text.isEmpty())
     noteEnds_->stop();
   else

@@ -21,6 +21,7 @@ namespace stratascope {
 
 class Actions;
 class CutControl;
+class LogPanel;
 class MessageBar;
 class ParamHistory;
 class ParamPanel;
@@ -49,6 +50,13 @@ public:
   /// The same as a step that can be undone under that name.
   void changeParams(const PipelineParams& params, const QString& what);
 
+  void setMapColouring(MapColouring colouring);
+  void setColourMap(ColourMap map);
+  /// Keeps the ranges the scalar bars have now.
+  void lockRanges(bool lock);
+  /// Docks and toolbars as at the first start.
+  void resetLayout();
+
   /// Nothing is being read, computed or drawn.
   bool idle() const { return reading_ == 0 && !bridge_->busy(); }
   SnapshotPtr snapshot() const;
@@ -62,6 +70,8 @@ public:
   StageStrip& stageStrip() { return *stages_; }
   ProbePanel& probePanel() { return *probe_; }
   MessageBar& messageBar() { return *message_; }
+  LogPanel& log() { return *log_; }
+  QString hint() const;
 
 public slots:
   void chooseFiles();
@@ -107,6 +117,8 @@ private:
   StatusStrip* status_;
   StageStrip* stages_;
   QLabel* hint_;
+  LogPanel* log_;
+  QByteArray firstLayout_;
   QTimer* noteEnds_;
   Session* session_;
   Actions* actions_;

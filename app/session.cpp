@@ -12,7 +12,7 @@
 namespace stratascope {
 namespace {
 // Raised when docks or toolbars change so much that an old arrangement no longer fits.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr int kMostRecent = 10;
 }  // namespace
 

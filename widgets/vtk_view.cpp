@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QToolButton>
 #include <algorithm>
@@ -75,6 +76,38 @@ vtkStandardNewMacro(UprightStyle)
 
 }  // namespace
 
+/// Shows as many of its parts, separated by dots, as there is room for; the tooltip has them all.
+class PartsLabel : public QWidget {
+public:
+  explicit PartsLabel(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  }
+  void setText(const QString& text) {
+    if (text == text_) return;
+    text_ = text;
+    setToolTip(text);
+    update();
+  }
+  QSize sizeHint() const override { return {10, fontMetrics().height()}; }
+
+protected:
+  void paintEvent(QPaintEvent*) override {
+    const QString separator = QStringLiteral("  ·  ");
+    QString shown;
+    for (const QString& part : text_.split(separator)) {
+      const QString longer = shown.isEmpty() ? part : shown + separator + part;
+      if (fontMetrics().horizontalAdvance(longer) > width()) break;
+      shown = longer;
+    }
+    QPainter painter(this);
+    painter.setPen(mutedText(palette()));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, shown);
+  }
+
+private:
+  QString text_;
+};
+
 VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   setObjectName("view");
   header_ = new QWidget(this);
@@ -82,10 +115,7 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   header_->setToolTip(tr("Double-click to enlarge this view or to go back"));
   auto* name = new QLabel(title, header_);
   name->setObjectName("viewTitle");
-  subtitle_ = new QLabel(header_);
-  subtitle_->setObjectName("viewSubtitle");
-  subtitle_->setMinimumWidth(0);
-  subtitle_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  subtitle_ = new PartsLabel(header_);
   maximise_ = new QToolButton(header_);
   maximise_->setAutoRaise(true);
   setThemedIcon(maximise_, "maximise");
@@ -129,6 +159,9 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   render_.setSingleShot(true);
   render_.setInterval(0);
   connect(&render_, &QTimer::timeout, this, [this] { renderNow(); });
+  hover_.setSingleShot(true);
+  hover_.setInterval(40);
+  connect(&hover_, &QTimer::timeout, this, [this] { emit hovered(hoverAt_); });
   connect(maximise_, &QToolButton::clicked, this, &VtkView::maximiseToggled);
   canvas_->installEventFilter(this);
   header_->installEventFilter(this);
@@ -142,7 +175,6 @@ VtkView::~VtkView() {
 
 void VtkView::setSubtitle(const QString& text) {
   subtitle_->setText(text);
-  subtitle_->setToolTip(text);
 }
 
 void VtkView::addHeaderWidget(QWidget* widget) {
@@ -180,7 +212,36 @@ void VtkView::copyCamera(const VtkView& other) {
   to->SetPosition(from->GetPosition());
   to->SetFocalPoint(from->GetFocalPoint());
   to->SetViewUp(from->GetViewUp());
+  to->SetParallelScale(from->GetParallelScale());
   if (other.moving_ || !fullDetail_.isActive()) setCoarse(other.moving_);
+  scheduleRender();
+}
+
+void VtkView::setPerspective(bool perspective) {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  if (!perspective)
+    camera->SetParallelScale(camera->GetDistance() * std::tan(0.5 * degToRad(camera->GetViewAngle())));
+  camera->SetParallelProjection(!perspective);
+  scheduleRender();
+}
+
+void VtkView::orbitAbout(const Eigen::Vector3d& point) {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  const Eigen::Vector3d move = point - Eigen::Vector3d(camera->GetFocalPoint());
+  Eigen::Vector3d eye = Eigen::Vector3d(camera->GetPosition()) + move;
+  camera->SetFocalPoint(point.x(), point.y(), point.z());
+  camera->SetPosition(eye.data());
+  camera->SetWindowCenter(0, 0);
+  scheduleRender();
+  emit cameraMoved();
+}
+
+void VtkView::fit(const Eigen::AlignedBox3d& box) {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  Eigen::Vector3d low = box.min(), high = box.max();
+  const double bounds[6] = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+  camera->SetWindowCenter(0, 0);
+  renderer_->ResetCamera(bounds);
   scheduleRender();
 }
 
@@ -240,6 +301,10 @@ PickRay VtkView::rayAt(QPoint position) const {
   const Eigen::Matrix4d back = p.ndc_T_map.inverse();
   const Eigen::Vector3d near = (back * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
   const Eigen::Vector3d far = (back * Eigen::Vector4d(x, y, 1, 1)).hnormalized();
+  if (renderer_->GetActiveCamera()->GetParallelProjection()) {
+    const Eigen::Vector3d along = (far - near).normalized();
+    return {near - 1000 * along, along};
+  }
   // From the eye, not from the near plane: that one is fitted to what is drawn.
   const Eigen::Vector3d eye(renderer_->GetActiveCamera()->GetPosition());
   return {eye, (far - near).normalized()};
@@ -279,6 +344,16 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
       case QEvent::Show:
         scheduleRender();
         break;
+      case QEvent::Leave:
+        hover_.stop();
+        emit hovered({-1, -1});
+        break;
+      case QEvent::MouseMove: {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        hoverAt_ = mouse->pos();
+        if (mouse->buttons() == Qt::NoButton && !hover_.isActive()) hover_.start();
+        break;
+      }
       case QEvent::MouseButtonPress: {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         pressed_ = mouse->pos();

@@ -14,11 +14,12 @@
 #include "widgets/picking.h"
 
 class QBoxLayout;
-class QLabel;
 class QToolButton;
 class QVTKOpenGLNativeWidget;
 
 namespace stratascope {
+
+class PartsLabel;
 
 /// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing
 /// while it moves. The vertical stays vertical. Needs OpenGL (see openGlProblem()).
@@ -37,6 +38,12 @@ public:
 
   void look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction);
   void copyCamera(const VtkView& other);
+  /// Without perspective parallel lines stay parallel and lengths can be compared.
+  void setPerspective(bool perspective);
+  /// Moves the camera without turning it, so that it turns about this point from now on.
+  void orbitAbout(const Eigen::Vector3d& point);
+  /// Fits the box into the picture without turning the camera.
+  void fit(const Eigen::AlignedBox3d& box);
 
   /// Draws at the next chance; many calls make one picture.
   void scheduleRender();
@@ -56,6 +63,10 @@ public:
 
 signals:
   void clicked(QPoint widgetPosition);
+  /// The pointer rests or moves here with no button pressed; not at every pixel. Outside: (−1, −1).
+  void hovered(QPoint widgetPosition);
+  /// What is under the pointer, in words; empty where nothing is.
+  void hoverText(const QString& text);
   void cameraMoved();
   void maximiseToggled();
   void drawn(double seconds);
@@ -76,13 +87,15 @@ private:
   QVTKOpenGLNativeWidget* canvas_;
   QWidget* header_;
   QBoxLayout* headerLayout_;
-  QLabel* subtitle_;
+  PartsLabel* subtitle_;
   QToolButton* maximise_;
   QWidget* legend_ = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   QTimer fullDetail_;
   QTimer render_;
+  QTimer hover_;
+  QPoint hoverAt_;
   QPoint pressed_;
   bool pressedLeft_ = false;
   bool moving_ = false;        ///< drawn coarse
