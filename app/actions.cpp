@@ -27,6 +27,9 @@ Actions::Actions(MainWindow& window, Session& session, CutControl& cut)
   buildEditMenu();
   buildViewMenu();
   QMenu* help = window_.menuBar()->addMenu(tr("&Help"));
+  add(help, tr("&Help"), {}, QKeySequence(Qt::Key_F1), {}, [this] { window_.showHelp(); });
+  add(help, tr("&Keys"), {}, QKeySequence(QStringLiteral("Ctrl+F1")), {}, [this] { window_.showKeys(); });
+  help->addSeparator();
   add(help, tr("&About Stratascope"), {}, {}, {}, [this] { window_.showAbout(); });
   buildToolBar(cut);
   setHasResult(false);

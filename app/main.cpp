@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QFile>
+#include <QFileInfo>
+#include <QSettings>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +14,7 @@
 #include "app/batch.h"
 #include "app/cli/param_options.h"
 #include "app/drag_bench.h"
+#include "app/language.h"
 #include "app/main_window.h"
 #include "io/export.h"
 #include "params/param_table.h"
@@ -23,7 +26,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   stratascope::cli::ParamOptions params;
-  std::string batch, theme = "system", size;
+  std::string batch, theme = "system", size, language;
   std::vector<std::string> drag;
   bool measureDrag = false;
 };
@@ -82,6 +85,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   std::setlocale(LC_NUMERIC, "C");  // Qt has just taken the user's
   if (const QString problem = openGlProblem(); !problem.isEmpty()) return complain(problem.toStdString(), 1);
   applyTheme(Theme::System);
+  speak(QString::fromStdString(arguments.language));
 
   const bool batch = !arguments.batch.empty() || arguments.measureDrag;
   MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
@@ -104,6 +108,12 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   window.show();
   QStringList files;
   for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
+  // A first start shows something: the sample that was installed with the program.
+  if (files.isEmpty() && QSettings().value("recentFiles").toStringList().isEmpty()) {
+    const QString sample = QCoreApplication::applicationDirPath() +
+                           QStringLiteral("/../share/stratascope/samples/stair_hall.pcd");
+    if (QFile::exists(sample)) files << QFileInfo(sample).canonicalFilePath();
+  }
   window.openFiles(files, settings->poses);
   return app.exec();
 }
@@ -119,6 +129,8 @@ int main(int argc, char** argv) {
                  "Show the window, write window.png and all results into this folder when done, and quit");
   cli.add_option("--theme", arguments.theme, "system, light or dark")
       ->check(CLI::IsMember({"system", "light", "dark"}));
+  cli.add_option("--language", arguments.language,
+                 "Language of the window, such as pl; that of the desktop if it is left out");
   cli.add_option("--size", arguments.size,
                  "Size of the window with --batch: large (1600 × 1000) or small (1280 × 800)")
       ->check(CLI::IsMember({"large", "small"}));

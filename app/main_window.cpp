@@ -14,11 +14,13 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/actions.h"
 #include "app/session.h"
 #include "app/welcome_page.h"
 #include "widgets/cut_control.h"
+#include "widgets/help_panel.h"
 #include "widgets/log_panel.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_history.h"
@@ -140,15 +142,19 @@ void MainWindow::buildDocks() {
   params_->setHeader(presets_);
   history_ = new ParamHistory([this](const PipelineParams& params) { setParams(params); }, this);
   probe_ = new ProbePanel(selection_);
-  planes_ = new PlaneTable(selection_);
+  planes_ = new PlanePanel(selection_);
   log_ = new LogPanel;
   auto* log = dock(tr("Log"), "logDock", log_, Qt::BottomDockWidgetArea);
   log->hide();
+  help_ = new HelpPanel;
+  helpDock_ = dock(tr("Help"), "helpDock", help_, Qt::RightDockWidgetArea);
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
   auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
+  helpDock_->hide();
+  tabifyDockWidget(upper, helpDock_);
   resizeDocks({left, upper}, {290, 345}, Qt::Horizontal);
-  resizeDocks({upper, lower}, {400, 420}, Qt::Vertical);
+  resizeDocks({upper, lower}, {520, 300}, Qt::Vertical);
 }
 
 void MainWindow::connectParts() {
@@ -156,6 +162,18 @@ void MainWindow::connectParts() {
   connect(params_, &ParamPanel::stagePointedAt, stages_, &StageStrip::setAffected);
   connect(presets_, &PresetBar::chosen, this, [this](const PipelineParams& params, const QString& name) {
     changeParams(params, tr("Preset %1").arg(name));
+  });
+  connect(planes_, &PlanePanel::copied, this, &MainWindow::note);
+  connect(planes_, &PlanePanel::failed, this, &MainWindow::showError);
+  connect(planes_, &PlanePanel::zoomRequested, this, [this](PlaneLabel label) {
+    const Plane* plane = snapshot() ? snapshot()->plane(label) : nullptr;
+    if (!plane || plane->hull.empty()) return;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : plane->hull) box.extend(corner);
+    selection_.set(label);
+    for (VtkView* view : {static_cast<VtkView*>(views_->cloud()), static_cast<VtkView*>(views_->columns()),
+                          static_cast<VtkView*>(views_->boxes())})
+      view->fit(box);
   });
   connect(presets_, &PresetBar::failed, this, &MainWindow::showError);
   connect(bridge_, &PipelineBridge::geometryChanged, this, &MainWindow::takeGeometry);
@@ -215,6 +233,24 @@ void MainWindow::lockRanges(bool lock) {
 void MainWindow::resetLayout() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setFloating(false);
   restoreState(firstLayout_);
+}
+
+void MainWindow::showHelp() {
+  helpDock_->show();
+  helpDock_->raise();
+}
+
+void MainWindow::showKeys() {
+  std::vector<std::pair<QString, QString>> keys;
+  for (const QAction* action : findChildren<QAction*>()) {
+    if (action->shortcut().isEmpty()) continue;
+    QString name = action->text().remove('&').remove(QStringLiteral("…"));
+    keys.emplace_back(name, action->shortcut().toString(QKeySequence::NativeText));
+  }
+  std::ranges::sort(keys);
+  help_->setKeys(keys);
+  showHelp();
+  help_->showKeys();
 }
 
 QString MainWindow::hint() const {

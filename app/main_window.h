@@ -13,6 +13,7 @@
 #include "widgets/pipeline_bridge.h"
 #include "widgets/selection.h"
 
+class QDockWidget;
 class QLabel;
 class QStackedWidget;
 class QTimer;
@@ -21,11 +22,12 @@ namespace stratascope {
 
 class Actions;
 class CutControl;
+class HelpPanel;
 class LogPanel;
 class MessageBar;
 class ParamHistory;
 class ParamPanel;
-class PlaneTable;
+class PlanePanel;
 class PresetBar;
 class ProbePanel;
 class Session;
@@ -71,6 +73,8 @@ public:
   ProbePanel& probePanel() { return *probe_; }
   MessageBar& messageBar() { return *message_; }
   LogPanel& log() { return *log_; }
+  HelpPanel& help() { return *help_; }
+  PlanePanel& planes() { return *planes_; }
   QString hint() const;
 
 public slots:
@@ -81,6 +85,8 @@ public slots:
   void loadParamsFrom();
   void saveParamsTo();
   void copyCommandLine();
+  void showHelp();
+  void showKeys();
   void showAbout();
 
 signals:
@@ -112,7 +118,9 @@ private:
   PresetBar* presets_;
   ParamHistory* history_;
   ProbePanel* probe_;
-  PlaneTable* planes_;
+  PlanePanel* planes_;
+  HelpPanel* help_;
+  QDockWidget* helpDock_;
   CutControl* cut_;
   StatusStrip* status_;
   StageStrip* stages_;

@@ -147,7 +147,10 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
 
   onVtk(style, vtkCommand::StartInteractionEvent, [this] { beginMove(); });
   onVtk(style, vtkCommand::EndInteractionEvent, [this] { endMove(); });
-  onVtk(style, vtkCommand::InteractionEvent, [this] { emit cameraMoved(); });
+  onVtk(style, vtkCommand::InteractionEvent, [this] {
+    cameraMoving_ = true;  // a mere click moves nothing, and linked views keep their own fit
+    emit cameraMoved();
+  });
   fullDetail_.setSingleShot(true);
   fullDetail_.setInterval(180);
   connect(&fullDetail_, &QTimer::timeout, this, [this] {
@@ -269,7 +272,7 @@ void VtkView::noteChange() {
 
 void VtkView::beginMove() {
   fullDetail_.stop();
-  moving_ = cameraMoving_ = true;
+  moving_ = true;
   setCoarse(true);
 }
 
@@ -343,6 +346,9 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
         break;
       case QEvent::Show:
         scheduleRender();
+        break;
+      case QEvent::Wheel:
+        cameraMoving_ = true;
         break;
       case QEvent::Leave:
         hover_.stop();

@@ -12,11 +12,13 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QProcess>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSlider>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -37,6 +39,7 @@
 #include "widgets/message_bar.h"
 #include "widgets/param_history.h"
 #include "widgets/param_panel.h"
+#include "widgets/plane_table.h"
 #include "widgets/point_explanation.h"
 #include "widgets/preset_bar.h"
 #include "widgets/probe_panel.h"
@@ -599,6 +602,43 @@ TEST_F(Window, ACellIsDrawnToScaleAndAPlaneWithItsResiduals) {
   EXPECT_TRUE(residuals->isVisible() && !column->isVisible());
   EXPECT_EQ(residuals->counted(), plane.points);
   EXPECT_TRUE(window_->probePanel().plainText().contains("Equation"));
+}
+
+TEST_F(Window, PlanesAreFilteredNamedCopiedAndShownFromNear) {
+  PlanePanel& panel = window_->planes();
+  QTableView* table = panel.table();
+  const auto& planes = window_->snapshot()->scans[0].planes->planes;
+  ASSERT_EQ(table->model()->rowCount(), static_cast<int>(planes.size()));
+  EXPECT_EQ(panel.asCsv().count('\n'), static_cast<int>(planes.size()) + 1);
+  auto* filter = window_->findChild<QLineEdit*>("planeFilter");
+  filter->setText("floor");
+  ASSERT_EQ(table->model()->rowCount(), 1);
+  table->model()->setData(table->model()->index(0, 2), "Cellar, \"north\"");
+  EXPECT_TRUE(panel.asText().contains("Cellar"));
+  EXPECT_TRUE(panel.asCsv().contains("\"Cellar, \"\"north\"\"\""));
+
+  const Eigen::Vector3d before = window_->views().cloud()->rayAt({5, 5}).origin;
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                    table->visualRect(table->model()->index(0, 1)).center());
+  const auto* label = std::get_if<PlaneLabel>(&window_->selection().get());
+  ASSERT_TRUE(label);
+  EXPECT_EQ(window_->snapshot()->plane(*label)->role, "floor");
+  emit panel.zoomRequested(*label);
+  EXPECT_FALSE(before.isApprox(window_->views().cloud()->rayAt({5, 5}).origin, 1e-3));
+
+  // The name stays with the plane in the next result.
+  window_->findChild<QDoubleSpinBox*>("spin_epsilon1")->setValue(0.3);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(panel.asText().contains("Cellar"));
+  EXPECT_TRUE(panel.asText().contains("Floor"));
+}
+
+TEST_F(Window, AClickLeavesTheOtherViewsWhereTheyAre) {
+  const Eigen::Vector3d eye = window_->views().boxes()->rayAt({5, 5}).origin;
+  QWidget* canvas = window_->views().cloud()->canvas();
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
+  QTest::qWait(400);
+  EXPECT_TRUE(eye.isApprox(window_->views().boxes()->rayAt({5, 5}).origin, 1e-12));
 }
 
 TEST_F(Window, OneDragIsOneStepToUndoAndHasAName) {
