@@ -118,6 +118,8 @@ void Actions::buildEditMenu() {
                             QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
                             [this] { window_.copyCommandLine(); }));
   edit->addSeparator();
+  check(edit, tr("&Measure from the selection"), QKeySequence(Qt::Key_M), false,
+        [this](bool on) { window_.measure(on); });
   add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {},
       [this] { window_.selection().clear(); });
 }

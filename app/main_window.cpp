@@ -15,6 +15,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "app/actions.h"
 #include "app/session.h"
@@ -22,6 +23,7 @@
 #include "widgets/cut_control.h"
 #include "widgets/help_panel.h"
 #include "widgets/log_panel.h"
+#include "widgets/measure.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_history.h"
 #include "widgets/param_panel.h"
@@ -195,6 +197,7 @@ void MainWindow::connectParts() {
     options.cloudRange.reset();
     bridge_->setViewOptions(options);
   });
+  connect(&selection_, &Selection::changed, this, &MainWindow::showMeasurement);
   for (MapView* map : {views_->columns(), views_->boxes()})
     connect(map, &MapView::colouringChosen, this, &MainWindow::setMapColouring);
   connect(views_, &ViewArea::hoverText, this, [this](const QString& text) {
@@ -253,6 +256,28 @@ void MainWindow::showKeys() {
   help_->showKeys();
 }
 
+void MainWindow::measure(bool on) {
+  measuring_ = on;
+  measureFrom_ = on ? selection_.get() : Selected{};
+  views_->cloud()->setRuler({});
+  if (on) note(tr("Select a point or a plane, then another one"));
+}
+
+void MainWindow::showMeasurement() {
+  if (!measuring_ || !snapshot()) return;
+  if (std::holds_alternative<std::monostate>(measureFrom_)) {
+    measureFrom_ = selection_.get();
+    return;
+  }
+  const auto m = measureBetween(*snapshot(), measureFrom_, selection_.get());
+  if (!m) return views_->cloud()->setRuler({});
+  if (std::isfinite(m->distance))
+    views_->cloud()->setRuler(std::pair(m->from, m->to));
+  else
+    views_->cloud()->setRuler({});
+  note(measurementText(*m));
+}
+
 QString MainWindow::hint() const {
   return hint_->text();
 }
@@ -282,6 +307,7 @@ void MainWindow::takeGeometry() {
   if (otherScans || (otherGrid && std::holds_alternative<CellIndex>(selection_.get()))) {
     probe_->setGeometry(nullptr);
     selection_.clear();
+    measureFrom_ = {};
   }
   shownScans_ = scans;
   shownCell_ = snapshot.params.grid.cell;

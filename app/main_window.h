@@ -87,6 +87,8 @@ public slots:
   void copyCommandLine();
   void showHelp();
   void showKeys();
+  /// From what is selected now to what is selected next, until switched off.
+  void measure(bool on);
   void showAbout();
 
 signals:
@@ -104,6 +106,7 @@ private:
   void takeGeometry();
   void showError(const QString& message);
   void showProgress();
+  void showMeasurement();
   /// For a few seconds in place of the hint.
   void note(const QString& text);
   void exportTo(const QString& directory);
@@ -127,6 +130,8 @@ private:
   QLabel* hint_;
   LogPanel* log_;
   QByteArray firstLayout_;
+  Selected measureFrom_;
+  bool measuring_ = false;
   QTimer* noteEnds_;
   Session* session_;
   Actions* actions_;

@@ -32,13 +32,14 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
       point_(renderer(), kHighlight),
       outline_(renderer(), kHighlight),
       sensor_(renderer(), rgbOf(palette().color(QPalette::WindowText))),
+      ruler_(renderer(), kHighlight),
       edges_{OverlayActor(renderer(), kEdgeColour),
              OverlayActor(renderer(), classColour(SurfaceClass::ConvexEdge)),
              OverlayActor(renderer(), classColour(SurfaceClass::ConcaveEdge)),
              OverlayActor(renderer(), classColour(SurfaceClass::JumpEdge))},
       shell_{OverlayActor(renderer(), kTakenColour), OverlayActor(renderer(), kNearColour),
              OverlayActor(renderer(), kFarColour)},
-      planeNames_(renderer(), devicePixelRatioF()),
+      planeNames_(renderer()),
       grid_(renderer(), devicePixelRatioF()) {
   colouring_ = new QComboBox;
   colouring_->setObjectName("colouring");
@@ -55,6 +56,7 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
   marked_.setSizes(3 * ratio, 1);
   point_.setSizes(11 * ratio, 2 * ratio);
   outline_.setSizes(2, 2.5 * ratio);
+  ruler_.setSizes(7 * ratio, 3 * ratio);
   sensor_.setSizes(9 * ratio, 2.5 * ratio);
   for (OverlayActor& edges : edges_) edges.setSizes(2, 3 * ratio);
   for (OverlayActor& shell : shell_) shell.setSizes(4 * ratio, 1);
@@ -101,6 +103,17 @@ void CloudView::setOutlines(bool visible) {
 
 void CloudView::setGrid(bool visible) {
   grid_.setVisible(visible);
+  scheduleRender();
+}
+
+void CloudView::setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends) {
+  ruler_.clear();
+  if (ends) {
+    ruler_.addSegment(ends->first, ends->second);
+    ruler_.addPoint(ends->first.cast<float>());
+    ruler_.addPoint(ends->second.cast<float>());
+  }
+  ruler_.commit(std::numeric_limits<double>::infinity());
   scheduleRender();
 }
 

@@ -30,6 +30,8 @@ public:
   void setEdges(Edges edges);
   void setOutlines(bool visible);
   void setGrid(bool visible);
+  /// A line between two places of the scene, or none.
+  void setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
 
 signals:
   void colouringChosen(CloudColouring colouring);
@@ -49,7 +51,7 @@ private:
   Selection& selection_;
   ViewGeometryPtr geometry_;
   ScanActor actor_;
-  OverlayActor marked_, point_, outline_, sensor_;
+  OverlayActor marked_, point_, outline_, sensor_, ruler_;
   std::array<OverlayActor, 4> edges_;  ///< vertical, then by kind
   std::array<OverlayActor, 3> shell_;  ///< neighbours of the selected point: taken, too near, too far
   std::vector<std::unique_ptr<OverlayActor>> planeOutlines_;

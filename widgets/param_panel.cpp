@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <string_view>
 
 #include "pipeline/snapshot.h"
@@ -135,7 +136,8 @@ ParamPanel::ParamPanel(QWidget* parent) : QWidget(parent) {
   problem_->setContentsMargins(14, 6, 10, 6);
   outer_->addWidget(problem_);
   outer_->addWidget(explanation_);
-  setMinimumWidth(270);
+  // As wide as its widest row in whatever language: nothing scrolls sideways.
+  setMinimumWidth(std::max(270, inner->minimumSizeHint().width() + 18));
 
   connect(fold_, &QToolButton::toggled, this, [this](bool open) {
     fold_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);

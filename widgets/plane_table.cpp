@@ -226,7 +226,7 @@ PlanePanel::PlanePanel(Selection& selection, QWidget* parent) : QWidget(parent),
   const auto width = [this](const char* widest) {
     return fontMetrics().horizontalAdvance(QString::fromUtf8(widest)) + 14;
   };
-  header->resizeSection(kNumber, width("888") + 16);
+  header->resizeSection(kNumber, width("88") + 20);
   header->resizeSection(kClass, width("Horizontal") + 18);
   header->setSectionResizeMode(kName, QHeaderView::Stretch);
   header->resizeSection(kPoints, width("888,888"));

@@ -52,7 +52,7 @@ QRect StageStrip::field(int stage) const {
   const QFontMetrics metrics(smallFont());
   std::array<int, kStageCount + 1> edge{};
   for (int i = 0; i < kStageCount; ++i)
-    edge[i + 1] = edge[i] + metrics.horizontalAdvance(tr(stageLabel(static_cast<Stage>(i)))) +
+    edge[i + 1] = edge[i] + metrics.horizontalAdvance(tableText(stageLabel(static_cast<Stage>(i)))) +
                   metrics.horizontalAdvance(QStringLiteral("888 ms")) + 2 * kPad + kDot + 2 * kGap + 4;
   const double scale = std::min(1.0, static_cast<double>(width() - 12) / edge[kStageCount]);
   const int left = 6 + static_cast<int>(scale * edge[stage]),
@@ -92,7 +92,7 @@ void StageStrip::paintEvent(QPaintEvent*) {
 
     const QRect words = box.adjusted(kPad + kDot + kGap, 0, -kPad, 0);
     const QString time = known_ ? secondsText(report.seconds) : QString();
-    const QString name = tr(stageLabel(static_cast<Stage>(i)));
+    const QString name = tableText(stageLabel(static_cast<Stage>(i)));
     const int timeWidth = metrics.horizontalAdvance(time);
     const bool both = metrics.horizontalAdvance(name) + kGap + timeWidth <= words.width();
     painter.setPen(ran || runs ? text : muted);
@@ -113,7 +113,7 @@ bool StageStrip::event(QEvent* event) {
   for (int i = 0; i < kStageCount; ++i) {
     if (!field(i).contains(help->pos())) continue;
     const StageReport& report = stages_[static_cast<size_t>(i)];
-    const QString name = tr(stageLabel(static_cast<Stage>(i)));
+    const QString name = tableText(stageLabel(static_cast<Stage>(i)));
     QString tip = name;
     if (known_)
       tip = report.reused ? tr("%1: taken over from the run before; took %2 when it last ran")

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "pipeline/snapshot.h"
+#include "widgets/text_format.h"
 #include "widgets/theme.h"
 
 namespace stratascope {
@@ -74,7 +75,7 @@ void StatusStrip::show() {
   } else {
     bar_->setRange(0, kStageCount);
     bar_->setValue(stage_ < 0 ? kStageCount : stage_);
-    what_->setText(stage_ < 0 ? tr("Drawing") : tr(stageLabel(static_cast<Stage>(stage_))));
+    what_->setText(stage_ < 0 ? tr("Drawing") : tableText(stageLabel(static_cast<Stage>(stage_))));
   }
   what_->setVisible(true);
   bar_->setVisible(true);

@@ -4,11 +4,12 @@
 
 #include <vtkTextProperty.h>
 
-#include <cmath>
-
 namespace stratascope {
+namespace {
+constexpr int kFontSize = 12;  // the render window knows the screen's resolution
+}
 
-TextLabels::TextLabels(vtkRenderer* renderer, double pixelRatio) : renderer_(renderer), ratio_(pixelRatio) {}
+TextLabels::TextLabels(vtkRenderer* renderer) : renderer_(renderer) {}
 
 void TextLabels::show(const std::vector<Label>& labels, bool bold) {
   while (actors_.size() < labels.size()) {
@@ -30,7 +31,7 @@ void TextLabels::show(const std::vector<Label>& labels, bool bold) {
     vtkTextProperty* text = actor->GetTextProperty();
     text->SetColor(label.colour.redF(), label.colour.greenF(), label.colour.blueF());
     text->SetBold(bold);
-    text->SetFontSize(static_cast<int>(std::lround(12 * ratio_)));
+    text->SetFontSize(kFontSize);
   }
 }
 

@@ -16,7 +16,7 @@ namespace stratascope {
 /// Short texts at places of the scene, always facing the viewer. Keep them few: each is a picture of its own.
 class TextLabels {
 public:
-  TextLabels(vtkRenderer* renderer, double pixelRatio);
+  explicit TextLabels(vtkRenderer* renderer);
 
   struct Label {
     Eigen::Vector3d at;
@@ -27,7 +27,6 @@ public:
 
 private:
   vtkRenderer* renderer_;
-  double ratio_;
   std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> actors_;
 };
 

@@ -654,6 +654,22 @@
             <source>%1: could not be read: %2</source>
             <translation>%1: nie można wczytać: %2</translation>
         </message>
+        <message>
+            <source>distance %1</source>
+            <translation>odległość %1</translation>
+        </message>
+        <message>
+            <source>height %1</source>
+            <translation>wysokość %1</translation>
+        </message>
+        <message>
+            <source>along the ground %1</source>
+            <translation>po podłożu %1</translation>
+        </message>
+        <message>
+            <source>angle %1</source>
+            <translation>kąt %1</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::Actions</name>
@@ -892,6 +908,10 @@
         <message>
             <source>Tools</source>
             <translation>Narzędzia</translation>
+        </message>
+        <message>
+            <source>&amp;Measure from the selection</source>
+            <translation>&amp;Mierz od zaznaczenia</translation>
         </message>
     </context>
     <context>
@@ -1183,6 +1203,10 @@
             <source>&lt;h3&gt;Stratascope %1&lt;/h3&gt;&lt;p&gt;2.5D and extended 2.5D maps from scans of a rotating laser scanner, through a cellular neural network.&lt;/p&gt;&lt;p&gt;BSD-3-Clause&lt;/p&gt;</source>
             <translation>&lt;h3&gt;Stratascope %1&lt;/h3&gt;&lt;p&gt;Mapy 2,5D i rozszerzone mapy 2,5D ze skanów obracanego skanera laserowego, przez komórkową sieć neuronową.&lt;/p&gt;&lt;p&gt;BSD-3-Clause&lt;/p&gt;</translation>
         </message>
+        <message>
+            <source>Select a point or a plane, then another one</source>
+            <translation>Zaznacz punkt lub płaszczyznę, a potem następną</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::MapView</name>
@@ -1250,11 +1274,11 @@
         <name>stratascope::ParamPanel</name>
         <message>
             <source>More parameters</source>
-            <translation>Więcej parametrów</translation>
+            <translation>Więcej</translation>
         </message>
         <message>
             <source>Reset all</source>
-            <translation>Przywróć wszystkie</translation>
+            <translation>Resetuj</translation>
         </message>
         <message>
             <source>Put every parameter back to its default</source>

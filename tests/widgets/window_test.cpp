@@ -36,6 +36,7 @@
 #include "scan/scanner_geometry.h"
 #include "widgets/column_view.h"
 #include "widgets/log_panel.h"
+#include "widgets/measure.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_history.h"
 #include "widgets/param_panel.h"
@@ -631,6 +632,37 @@ TEST_F(Window, PlanesAreFilteredNamedCopiedAndShownFromNear) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(panel.asText().contains("Cellar"));
   EXPECT_TRUE(panel.asText().contains("Floor"));
+}
+
+TEST_F(Window, MeasuresBetweenPointsAndPlanes) {
+  const SnapshotPtr s = window_->snapshot();
+  const auto& planes = s->scans[0].planes->planes;
+  const auto roleOf = [&](const char* role) { return *std::ranges::find(planes, role, &Plane::role); };
+  const Plane floor = roleOf("floor"), ceiling = roleOf("ceiling");
+  const auto wall = std::ranges::find(planes, SurfaceClass::Side, &Plane::surfaceClass);
+  const auto height = measureBetween(*s, floor.label, ceiling.label);
+  ASSERT_TRUE(height);
+  EXPECT_NEAR(height->distance, kCeiling - kFloor, 0.01);
+  EXPECT_NEAR(*height->angle, 0, 0.5);
+  const auto corner = measureBetween(*s, floor.label, wall->label);
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR(*corner->angle, 90, 0.5);
+  EXPECT_TRUE(std::isnan(corner->distance));
+  const auto& cloud = *window_->bridge().geometry()->cloud;
+  const auto up = measureBetween(*s, cloud.source[5], floor.label);
+  ASSERT_TRUE(up);
+  EXPECT_NEAR(up->distance, cloud.positions[5].z() - kFloor, 0.01);
+  const auto both = measureBetween(*s, cloud.source[5], cloud.source[9]);
+  ASSERT_TRUE(both);
+  EXPECT_NEAR(both->distance, (cloud.positions[9] - cloud.positions[5]).norm(), 1e-5);
+  EXPECT_NEAR(std::hypot(*both->height, *both->ground), both->distance, 1e-9);
+  EXPECT_FALSE(measureBetween(*s, CellIndex{1, 1}, floor.label));
+
+  window_->selection().set(floor.label);
+  window_->measure(true);
+  window_->selection().set(ceiling.label);
+  EXPECT_TRUE(window_->hint().contains("distance 2.5")) << window_->hint().toStdString();
+  window_->measure(false);
 }
 
 TEST_F(Window, AClickLeavesTheOtherViewsWhereTheyAre) {
