@@ -155,7 +155,7 @@ void MainWindow::buildDocks() {
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
   helpDock_->hide();
   tabifyDockWidget(upper, helpDock_);
-  resizeDocks({left, upper}, {290, 345}, Qt::Horizontal);
+  resizeDocks({left, upper}, {290, 378}, Qt::Horizontal);
   resizeDocks({upper, lower}, {520, 300}, Qt::Vertical);
 }
 
