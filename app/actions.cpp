@@ -14,6 +14,8 @@
 #include "app/main_window.h"
 #include "app/session.h"
 #include "widgets/cut_control.h"
+#include "widgets/param_history.h"
+#include "widgets/param_panel.h"
 #include "widgets/theme.h"
 #include "widgets/view_area.h"
 
@@ -25,20 +27,45 @@ Actions::Actions(MainWindow& window, Session& session, CutControl& cut)
   buildEditMenu();
   buildViewMenu();
   QMenu* help = window_.menuBar()->addMenu(tr("&Help"));
+  add(help, tr("&Help"), {}, QKeySequence(Qt::Key_F1), {}, [this] { window_.showHelp(); });
+  add(help, tr("&Keys"), {}, QKeySequence(QStringLiteral("Ctrl+F1")), {}, [this] { window_.showKeys(); });
+  help->addSeparator();
   add(help, tr("&About Stratascope"), {}, {}, {}, [this] { window_.showAbout(); });
   buildToolBar(cut);
   setHasResult(false);
 }
 
-QAction* Actions::add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key, const QString& tip,
-                      std::function<void()> act) {
+QAction* Actions::add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key,
+                      const QString& tip, std::function<void()> act) {
   QAction* action = menu->addAction(text);
   if (!icon.isEmpty()) setThemedIcon(action, icon);
   action->setShortcut(key);
   if (!tip.isEmpty())
-    action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setToolTip(
+        key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
   connect(action, &QAction::triggered, this, std::move(act));
   return action;
+}
+
+QAction* Actions::check(QMenu* menu, const QString& text, const QKeySequence& key, bool on,
+                        std::function<void(bool)> act) {
+  QAction* action = menu->addAction(text);
+  action->setShortcut(key);
+  action->setCheckable(true);
+  action->setChecked(on);
+  connect(action, &QAction::toggled, this, std::move(act));
+  return action;
+}
+
+void Actions::choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act) {
+  auto* group = new QActionGroup(this);
+  for (int i = 0; i < names.size(); ++i) {
+    QAction* action = menu->addAction(names[i]);
+    action->setCheckable(true);
+    action->setChecked(i == chosen);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [act, i] { act(i); });
+  }
 }
 
 void Actions::buildFileMenu() {
@@ -53,7 +80,8 @@ void Actions::buildFileMenu() {
                 [this] { window_.reload(); });
   file->addSeparator();
   export_ = add(file, tr("&Export…"), "export", QKeySequence(QStringLiteral("Ctrl+E")),
-                tr("Write cloud, planes, edges and both maps into a folder"), [this] { window_.exportResultsTo(); });
+                tr("Write cloud, planes, edges and both maps into a folder"),
+                [this] { window_.exportResultsTo(); });
   picture_ = add(file, tr("&Save picture…"), "picture", QKeySequence::Save, tr("Save a picture of the views"),
                  [this] { window_.savePicture(); });
   file->addSeparator();
@@ -74,33 +102,74 @@ void Actions::fillRecent() {
 
 void Actions::buildEditMenu() {
   QMenu* edit = window_.menuBar()->addMenu(tr("&Edit"));
+  undo_ = window_.history().createUndoAction(this, tr("&Undo"));
+  undo_->setShortcut(QKeySequence::Undo);
+  redo_ = window_.history().createRedoAction(this, tr("&Redo"));
+  redo_->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
+  setThemedIcon(undo_, "undo");
+  setThemedIcon(redo_, "redo");
+  edit->addAction(undo_);
+  edit->addAction(redo_);
+  edit->addSeparator();
+  add(edit, tr("Reset all &parameters"), {}, {}, {}, [this] { window_.paramPanel().resetAll(); });
   add(edit, tr("&Load parameters…"), {}, {}, {}, [this] { window_.loadParamsFrom(); });
   add(edit, tr("&Save parameters…"), {}, {}, {}, [this] { window_.saveParamsTo(); });
-  needResult_.push_back(add(edit, tr("&Copy as command line"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
+  needResult_.push_back(add(edit, tr("&Copy as command line"), {},
+                            QKeySequence(QStringLiteral("Ctrl+Shift+C")), {},
                             [this] { window_.copyCommandLine(); }));
   edit->addSeparator();
-  add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {}, [this] { window_.selection().clear(); });
+  check(edit, tr("&Measure from the selection"), QKeySequence(Qt::Key_M), false,
+        [this](bool on) { window_.measure(on); });
+  add(edit, tr("Clear selectio&n"), {}, QKeySequence(Qt::Key_Escape), {},
+      [this] { window_.selection().clear(); });
 }
 
 void Actions::buildViewMenu() {
   QMenu* view = window_.menuBar()->addMenu(tr("&View"));
-  const auto look = [this](ViewDirection direction) { return [this, direction] { window_.views().look(direction); }; };
+  const auto look = [this](ViewDirection direction) {
+    return [this, direction] { window_.views().look(direction); };
+  };
   reset_ = add(view, tr("&Reset"), "reset", QKeySequence(Qt::Key_R), tr("Fit the data into all views"),
                look(ViewDirection::Iso));
   view->addSeparator();
   directions_ = {
-      add(view, tr("&Oblique"), "iso", QKeySequence(Qt::Key_5), tr("From behind the sensor, from above"), look(ViewDirection::Iso)),
+      add(view, tr("&Oblique"), "iso", QKeySequence(Qt::Key_5), tr("From behind the sensor, from above"),
+          look(ViewDirection::Iso)),
       add(view, tr("&Top"), "top", QKeySequence(Qt::Key_7), tr("From above"), look(ViewDirection::Top)),
-      add(view, tr("&Front"), "front", QKeySequence(Qt::Key_1), tr("As the sensor looks"), look(ViewDirection::Front)),
-      add(view, tr("&Side"), "side", QKeySequence(Qt::Key_3), tr("From the right"), look(ViewDirection::Side))};
+      add(view, tr("&Front"), "front", QKeySequence(Qt::Key_1), tr("As the sensor looks"),
+          look(ViewDirection::Front)),
+      add(view, tr("&Side"), "side", QKeySequence(Qt::Key_3), tr("From the right"),
+          look(ViewDirection::Side))};
   view->addSeparator();
-  link_ = add(view, tr("&Link cameras"), "link", QKeySequence(Qt::Key_L), tr("Turn all three views together"), [] {});
+  link_ = add(view, tr("&Link cameras"), "link", QKeySequence(Qt::Key_L), tr("Turn all three views together"),
+              [] {});
   link_->setCheckable(true);
   link_->setChecked(true);
   connect(link_, &QAction::toggled, this, [this](bool on) { window_.views().setLinked(on); });
-  QAction* edges = add(view, tr("&Vertical edges"), {}, QKeySequence(Qt::Key_E), {}, [] {});
-  edges->setCheckable(true);
-  connect(edges, &QAction::toggled, this, [this](bool on) { window_.views().cloud()->setEdgesVisible(on); });
+  QAction* parallel = check(view, tr("O&rthographic"), QKeySequence(Qt::Key_P), false,
+                            [this](bool on) { window_.views().setPerspective(!on); });
+  parallel->setToolTip(tr("Without perspective: lengths can be compared"));
+  add(view, tr("&Fit"), {}, QKeySequence(Qt::Key_F), {}, [this] { window_.views().fit(); });
+  add(view, tr("Turn about the selection"), {}, QKeySequence(Qt::Key_O), {},
+      [this] { window_.views().orbitSelection(); });
+  view->addSeparator();
+  check(view, tr("&Ground grid"), QKeySequence(Qt::Key_G), true,
+        [this](bool on) { window_.views().setGrid(on); });
+  check(view, tr("&Plane outlines"), QKeySequence(Qt::Key_H), false,
+        [this](bool on) { window_.views().cloud()->setOutlines(on); });
+  QMenu* edges = view->addMenu(tr("&Edges"));
+  choose(edges, {tr("None"), tr("Vertical ones"), tr("All, by kind")}, 0,
+         [this](int i) { window_.views().cloud()->setEdges(static_cast<CloudView::Edges>(i)); });
+  QMenu* map = view->addMenu(tr("&Colours"));
+  QMenu* meaning = map->addMenu(tr("Of the maps"));
+  QStringList names;
+  for (int i = 0; i < kMapColourings; ++i) names << colouringName(static_cast<MapColouring>(i));
+  choose(meaning, names, 0, [this](int i) { window_.setMapColouring(static_cast<MapColouring>(i)); });
+  choose(map, {tr("Viridis"), tr("Cividis")}, 0,
+         [this](int i) { window_.setColourMap(static_cast<ColourMap>(i)); });
+  QAction* lock = check(map, tr("Lock ranges"), QKeySequence(Qt::Key_K), false,
+                        [this](bool on) { window_.lockRanges(on); });
+  lock->setToolTip(tr("Keep the ranges of both scalar bars whatever the data says"));
   view->addSeparator();
 
   QMenu* theme = view->addMenu(tr("&Appearance"));
@@ -116,6 +185,8 @@ void Actions::buildViewMenu() {
   }
   view->addSeparator();
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
+  add(view, tr("Reset la&yout"), {}, {}, tr("All docks back to their places"),
+      [this] { window_.resetLayout(); });
   QAction* full = add(view, tr("F&ull screen"), {}, QKeySequence(Qt::Key_F11), {}, [] {});
   full->setCheckable(true);
   connect(full, &QAction::toggled, this, [this](bool on) {
@@ -137,6 +208,9 @@ void Actions::buildToolBar(CutControl& cut) {
     auto* button = static_cast<QToolButton*>(bar->widgetForAction(action));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
+  bar->addSeparator();
+  bar->addAction(undo_);
+  bar->addAction(redo_);
   bar->addSeparator();
   bar->addAction(reset_);
   for (QAction* action : directions_) bar->addAction(action);

@@ -21,14 +21,18 @@ class Session;
 /// Menus, toolbar and shortcuts of the main window.
 class Actions : public QObject {
   Q_OBJECT
- public:
+public:
   Actions(MainWindow& window, Session& session, CutControl& cut);
   /// Some actions need something to act on.
   void setHasResult(bool hasResult);
 
- private:
-  QAction* add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key, const QString& tip,
-               std::function<void()> act);
+private:
+  QAction* add(QMenu* menu, const QString& text, const QString& icon, const QKeySequence& key,
+               const QString& tip, std::function<void()> act);
+  QAction* check(QMenu* menu, const QString& text, const QKeySequence& key, bool on,
+                 std::function<void(bool)> act);
+  /// One of several.
+  void choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act);
   void buildFileMenu();
   void buildEditMenu();
   void buildViewMenu();
@@ -39,7 +43,8 @@ class Actions : public QObject {
   Session& session_;
   QMenu* recent_ = nullptr;
   std::vector<QAction*> needResult_;
-  QAction *open_ = nullptr, *reload_ = nullptr, *export_ = nullptr, *picture_ = nullptr, *reset_ = nullptr, *link_ = nullptr;
+  QAction *open_ = nullptr, *reload_ = nullptr, *export_ = nullptr, *picture_ = nullptr, *reset_ = nullptr,
+          *link_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
   std::vector<QAction*> directions_;
 };
 

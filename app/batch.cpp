@@ -19,7 +19,8 @@ constexpr int kPollMs = 50;
 constexpr int kQuietPolls = 6;  // layout, camera and overlays have settled by then
 }  // namespace
 
-Batch::Batch(MainWindow& window, QString directory) : QObject(&window), window_(window), directory_(std::move(directory)) {
+Batch::Batch(MainWindow& window, QString directory)
+    : QObject(&window), window_(window), directory_(std::move(directory)) {
   connect(&window_, &MainWindow::failed, this, &Batch::fail);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &Batch::step);
@@ -33,16 +34,24 @@ void Batch::step() {
 }
 
 void Batch::finish() {
-  if (!QDir().mkpath(directory_)) return fail(tr("%1: cannot be made; choose another folder").arg(directory_));
+  if (!QDir().mkpath(directory_))
+    return fail(tr("%1: cannot be made; choose another folder").arg(directory_));
   window_.views().renderNow();
   const QString picture = directory_ + QStringLiteral("/window.png");
-  const auto written = exportResults(*window_.snapshot(), QFile::encodeName(directory_).toStdString());
-  if (!written) return fail(QString::fromStdString(written.error().message()));
-  if (!window_.grab().save(picture)) return fail(tr("%1: cannot be written; choose another folder").arg(picture));
-  std::printf("%s\n", QFile::encodeName(picture).constData());
-  for (const std::string& path : *written) std::printf("%s\n", path.c_str());
-  std::fflush(stdout);
-  QCoreApplication::exit(0);
+  if (!window_.grab().save(picture))
+    return fail(tr("%1: cannot be written; choose another folder").arg(picture));
+  background_.run(
+      this,
+      [snapshot = window_.snapshot(), folder = QFile::encodeName(directory_).toStdString()] {
+        return exportResults(*snapshot, folder);
+      },
+      [this, picture](const Expected<std::vector<std::string>>& written) {
+        if (!written) return fail(QString::fromStdString(written.error().message()));
+        std::printf("%s\n", QFile::encodeName(picture).constData());
+        for (const std::string& path : *written) std::printf("%s\n", path.c_str());
+        std::fflush(stdout);
+        QCoreApplication::exit(0);
+      });
 }
 
 void Batch::fail(const QString& message) {

@@ -5,18 +5,20 @@
 #include <QObject>
 #include <QString>
 
+#include "widgets/background.h"
+
 namespace stratascope {
 
 class MainWindow;
 
-/// --batch: waits until the window has computed and drawn, writes window.png and the results, prints the paths and ends the
-/// program with 0; with 1 and one line on stderr if something is wrong.
+/// --batch: waits until the window has computed and drawn, writes window.png and the results, prints the
+/// paths and ends the program with 0; with 1 and one line on stderr if something is wrong.
 class Batch : public QObject {
   Q_OBJECT
- public:
+public:
   Batch(MainWindow& window, QString directory);
 
- private:
+private:
   void step();
   void finish();
   void fail(const QString& message);
@@ -25,6 +27,7 @@ class Batch : public QObject {
   QString directory_;
   bool failed_ = false;
   int quiet_ = 0;
+  Background background_;
 };
 
 }  // namespace stratascope

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QFile>
-#include <CLI/CLI.hpp>
+#include <QFileInfo>
+#include <QSettings>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -11,8 +13,11 @@
 
 #include "app/batch.h"
 #include "app/cli/param_options.h"
+#include "app/drag_bench.h"
+#include "app/language.h"
 #include "app/main_window.h"
 #include "io/export.h"
+#include "params/param_table.h"
 #include "widgets/theme.h"
 #include "widgets/vtk_view.h"
 
@@ -21,7 +26,9 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   stratascope::cli::ParamOptions params;
-  std::string batch, theme = "system", size;
+  std::string batch, theme = "system", size, language;
+  std::vector<std::string> drag;
+  bool measureDrag = false;
 };
 
 int complain(const std::string& message, int status) {
@@ -29,7 +36,8 @@ int complain(const std::string& message, int status) {
   return status;
 }
 
-/// Where Qt would abort, as without a display, the program says why in one line and ends. Qt's warnings are for developers.
+/// Where Qt would abort, as without a display, the program says why in one line and ends. Qt's warnings are
+/// for developers.
 void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
   if (type != QtFatalMsg && type != QtCriticalMsg) return;
   const QString what = text.contains("platform plugin")
@@ -39,13 +47,29 @@ void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
   if (type == QtFatalMsg) std::_Exit(1);
 }
 
+/// Why these cannot be the words after --measure-drag; empty if they can.
+std::string dragProblem(const std::vector<std::string>& words) {
+  using namespace stratascope;
+  if (words.empty()) return {};
+  const ParamInfo* info = findParam(words[0]);
+  if (!info)
+    return "--measure-drag: no parameter " + words[0] + "; did you mean " + nearestParamKey(words[0]) + "?";
+  if (info->kind != ParamKind::Real && info->kind != ParamKind::Integer)
+    return "--measure-drag: " + words[0] + " has no slider; name a parameter that is a number";
+  if (words.size() == 1) return {};
+  bool number = false;
+  const double seconds = QString::fromStdString(words[1]).toDouble(&number);
+  return number && seconds >= 0.1 && seconds <= 600 ? std::string()
+                                                    : "--measure-drag: seconds must be from 0.1 to 600";
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   using namespace stratascope;
   const auto settings = arguments.params.settings();
   if (!settings) return complain(settings.error().message(), 1);
   if (const size_t poses = settings->poses.size(); poses > 0 && poses != arguments.files.size())
-    return complain("--pose: " + std::to_string(poses) + " poses for " + std::to_string(arguments.files.size()) +
-                        " scans; give one a scan",
+    return complain("--pose: " + std::to_string(poses) + " poses for " +
+                        std::to_string(arguments.files.size()) + " scans; give one a scan",
                     2);
 
   qInstallMessageHandler(onQtMessage);
@@ -61,19 +85,35 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   std::setlocale(LC_NUMERIC, "C");  // Qt has just taken the user's
   if (const QString problem = openGlProblem(); !problem.isEmpty()) return complain(problem.toStdString(), 1);
   applyTheme(Theme::System);
+  speak(QString::fromStdString(arguments.language));
 
-  const bool batch = !arguments.batch.empty();
+  const bool batch = !arguments.batch.empty() || arguments.measureDrag;
   MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
   if (arguments.theme != "system") applyTheme(arguments.theme == "dark" ? Theme::Dark : Theme::Light);
   window.setParams(settings->params);
   if (batch) {
     const QSize size = arguments.size == "small" ? QSize(1280, 800) : QSize(1600, 1000);
     window.resize(size);
-    new Batch(window, QFile::decodeName(arguments.batch.c_str()));
+    if (arguments.measureDrag) {
+      QStringList keys{"epsilon", "epsilon1", "epsilon2", "cell"};
+      if (!arguments.drag.empty())
+        keys = QStringList(QString::fromUtf8(findParam(arguments.drag.front())->key));
+      double seconds = 2;
+      if (arguments.drag.size() > 1) seconds = QString::fromStdString(arguments.drag[1]).toDouble();
+      new DragBench(window, keys, seconds);
+    } else {
+      new Batch(window, QFile::decodeName(arguments.batch.c_str()));
+    }
   }
   window.show();
   QStringList files;
   for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
+  // A first start shows something: the sample that was installed with the program.
+  if (files.isEmpty() && QSettings().value("recentFiles").toStringList().isEmpty()) {
+    const QString sample = QCoreApplication::applicationDirPath() +
+                           QStringLiteral("/../share/stratascope/samples/stair_hall.pcd");
+    if (QFile::exists(sample)) files << QFileInfo(sample).canonicalFilePath();
+  }
   window.openFiles(files, settings->poses);
   return app.exec();
 }
@@ -87,13 +127,31 @@ int main(int argc, char** argv) {
   arguments.params.addTo(cli);
   cli.add_option("--batch", arguments.batch,
                  "Show the window, write window.png and all results into this folder when done, and quit");
-  cli.add_option("--theme", arguments.theme, "system, light or dark")->check(CLI::IsMember({"system", "light", "dark"}));
-  cli.add_option("--size", arguments.size, "Size of the window with --batch: large (1600 × 1000) or small (1280 × 800)")
+  cli.add_option("--theme", arguments.theme, "system, light or dark")
+      ->check(CLI::IsMember({"system", "light", "dark"}));
+  cli.add_option("--language", arguments.language,
+                 "Language of the window, such as pl; that of the desktop if it is left out");
+  cli.add_option("--size", arguments.size,
+                 "Size of the window with --batch: large (1600 × 1000) or small (1280 × 800)")
       ->check(CLI::IsMember({"large", "small"}));
+  CLI::Option* drag = cli.add_option("--measure-drag", arguments.drag,
+                                     "Drag the slider of PARAM for SECONDS (default: those of the four main "
+                                     "parameters, 2 s each), print how "
+                                     "long pictures take to follow, and quit")
+                          ->type_name("[PARAM [SECONDS]]")
+                          ->expected(0, 2);
   cli.set_version_flag("--version", std::string("stratascope ") + stratascope::versionText());
   try {
     cli.parse(argc, argv);
-    if (!arguments.batch.empty() && arguments.files.empty()) return complain("--batch needs a scan to open", 2);
+    if (!arguments.batch.empty() && arguments.files.empty())
+      return complain("--batch needs a scan to open", 2);
+    arguments.measureDrag = drag->count() > 0;
+    std::erase(arguments.drag, "");  // the option without words
+    if (arguments.measureDrag) {
+      if (arguments.files.empty()) return complain("--measure-drag needs a scan to open before it", 2);
+      if (const std::string problem = dragProblem(arguments.drag); !problem.empty())
+        return complain(problem, 2);
+    }
     return runWindow(argc, argv, arguments);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return cli.exit(e);  // --help, --version

@@ -12,23 +12,59 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "app/actions.h"
 #include "app/session.h"
 #include "app/welcome_page.h"
 #include "widgets/cut_control.h"
+#include "widgets/help_panel.h"
+#include "widgets/log_panel.h"
+#include "widgets/measure.h"
 #include "widgets/message_bar.h"
+#include "widgets/param_history.h"
 #include "widgets/param_panel.h"
 #include "widgets/plane_table.h"
+#include "widgets/preset_bar.h"
 #include "widgets/probe_panel.h"
+#include "widgets/stage_strip.h"
 #include "widgets/status_strip.h"
+#include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
 // A static library's resources are left out unless asked for; the macro must stand outside any namespace.
-static void initResources() { Q_INIT_RESOURCE(stratascope); }
+static void initResources() {
+  Q_INIT_RESOURCE(stratascope);
+}
 
 namespace stratascope {
+namespace {
+
+/// "Computed Planes, Edges: 0.31 s, 27 planes, 6,260 records"
+QString computedText(const Snapshot& snapshot) {
+  QStringList ran;
+  double seconds = 0;
+  size_t planes = 0;
+  for (int i = 0; i < kStageCount; ++i) {
+    const StageReport& report = snapshot.stages[static_cast<size_t>(i)];
+    if (report.reused) continue;
+    ran << tableText(stageLabel(static_cast<Stage>(i)));
+    seconds += report.seconds;
+  }
+  for (const ScanProducts& scan : snapshot.scans) planes += scan.planes ? scan.planes->planes.size() : 0;
+  return MainWindow::tr("Computed %1 in %2: %3 planes, %4 records")
+      .arg(ran.join(QStringLiteral(", ")), secondsText(seconds), countText(planes),
+           countText(snapshot.intervalMap ? snapshot.intervalMap->records.size() : 0));
+}
+
+QString idleHint() {
+  return MainWindow::tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move");
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   initResources();
@@ -55,6 +91,15 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   layout->addWidget(pages_, 1);
   setCentralWidget(centre);
 
+  stages_ = new StageStrip;
+  auto* stageBar = new QToolBar(tr("Stages"));
+  stageBar->setObjectName("stageBar");
+  stageBar->setMovable(false);
+  stageBar->setContextMenuPolicy(Qt::PreventContextMenu);
+  stageBar->addWidget(stages_);
+  stageBar->setFixedHeight(stages_->sizeHint().height() + 10);
+  addToolBar(Qt::BottomToolBarArea, stageBar);
+
   cut_ = new CutControl;
   status_ = new StatusStrip;
   hint_ = new QLabel;
@@ -69,45 +114,77 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(status_);
   statusBar()->setSizeGripEnabled(false);
-  // Always the same height: if the progress bar made it grow, all three views would be resized and drawn anew each time.
+  // Always the same height: if the progress bar made it grow, all three views would be resized and drawn anew
+  // each time.
   statusBar()->setFixedHeight(fontMetrics().height() + 16);
 
   buildDocks();
   actions_ = new Actions(*this, *session_, *cut_);
   connectParts();
   welcome_->setRecent(session_->recentFiles());
+  firstLayout_ = saveState();
   session_->restore(*this);
 }
 
 MainWindow::~MainWindow() = default;
 
 void MainWindow::buildDocks() {
-  const auto dock = [this](const QString& title, const QString& name, QWidget* widget, Qt::DockWidgetArea area) {
+  const auto dock = [this](const QString& title, const QString& name, QWidget* widget,
+                           Qt::DockWidgetArea area) {
     auto* d = new QDockWidget(title, this);
     d->setObjectName(name);
     d->setWidget(widget);
-    d->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetFloatable);
+    d->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                   QDockWidget::DockWidgetFloatable);
     addDockWidget(area, d);
     return d;
   };
   params_ = new ParamPanel;
+  presets_ = new PresetBar(session_->presetFolder());
+  params_->setHeader(presets_);
+  history_ = new ParamHistory([this](const PipelineParams& params) { setParams(params); }, this);
   probe_ = new ProbePanel(selection_);
-  planes_ = new PlaneTable(selection_);
+  planes_ = new PlanePanel(selection_);
+  log_ = new LogPanel;
+  auto* log = dock(tr("Log"), "logDock", log_, Qt::BottomDockWidgetArea);
+  log->hide();
+  help_ = new HelpPanel;
+  helpDock_ = dock(tr("Help"), "helpDock", help_, Qt::RightDockWidgetArea);
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
   auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
-  resizeDocks({left, upper}, {290, 345}, Qt::Horizontal);
-  resizeDocks({upper, lower}, {400, 420}, Qt::Vertical);
+  helpDock_->hide();
+  tabifyDockWidget(upper, helpDock_);
+  resizeDocks({left, upper}, {290, 378}, Qt::Horizontal);
+  resizeDocks({upper, lower}, {520, 300}, Qt::Vertical);
 }
 
 void MainWindow::connectParts() {
-  connect(params_, &ParamPanel::paramsChanged, bridge_, &PipelineBridge::setParams);
+  connect(params_, &ParamPanel::edited, history_, &ParamHistory::add);
+  connect(params_, &ParamPanel::stagePointedAt, stages_, &StageStrip::setAffected);
+  connect(presets_, &PresetBar::chosen, this, [this](const PipelineParams& params, const QString& name) {
+    changeParams(params, tr("Preset %1").arg(name));
+  });
+  connect(planes_, &PlanePanel::copied, this, &MainWindow::note);
+  connect(planes_, &PlanePanel::failed, this, &MainWindow::showError);
+  connect(planes_, &PlanePanel::zoomRequested, this, [this](PlaneLabel label) {
+    const Plane* plane = snapshot() ? snapshot()->plane(label) : nullptr;
+    if (!plane || plane->hull.empty()) return;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : plane->hull) box.extend(corner);
+    selection_.set(label);
+    for (VtkView* view : {static_cast<VtkView*>(views_->cloud()), static_cast<VtkView*>(views_->columns()),
+                          static_cast<VtkView*>(views_->boxes())})
+      view->fit(box);
+  });
+  connect(presets_, &PresetBar::failed, this, &MainWindow::showError);
   connect(bridge_, &PipelineBridge::geometryChanged, this, &MainWindow::takeGeometry);
   connect(bridge_, &PipelineBridge::failed, this, &MainWindow::showError);
   connect(bridge_, &PipelineBridge::progressChanged, this, [this](bool, int stage) {
     stage_ = stage;
     showProgress();
   });
+  connect(status_, &StatusStrip::shownStageChanged, stages_, &StageStrip::setRunning);
   connect(status_, &StatusStrip::cancelled, bridge_, &PipelineBridge::cancel);
   connect(cut_, &CutControl::cutChosen, this, [this](std::optional<double> cut) {
     ViewOptions options = bridge_->viewOptions();
@@ -117,18 +194,106 @@ void MainWindow::connectParts() {
   connect(views_->cloud(), &CloudView::colouringChosen, this, [this](CloudColouring colouring) {
     ViewOptions options = bridge_->viewOptions();
     options.colouring = colouring;
+    options.cloudRange.reset();
     bridge_->setViewOptions(options);
+  });
+  connect(&selection_, &Selection::changed, this, &MainWindow::showMeasurement);
+  for (MapView* map : {views_->columns(), views_->boxes()})
+    connect(map, &MapView::colouringChosen, this, &MainWindow::setMapColouring);
+  connect(views_, &ViewArea::hoverText, this, [this](const QString& text) {
+    if (!noteEnds_->isActive()) hint_->setText(text.isEmpty() ? idleHint() : text);
   });
   connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::chooseFiles);
   connect(welcome_, &WelcomePage::fileChosen, this, [this](const QString& path) { openFiles({path}); });
   connect(session_, &Session::recentChanged, welcome_, &WelcomePage::setRecent);
 }
 
-SnapshotPtr MainWindow::snapshot() const { return bridge_->geometry() ? bridge_->geometry()->snapshot : nullptr; }
+void MainWindow::setMapColouring(MapColouring colouring) {
+  ViewOptions options = bridge_->viewOptions();
+  options.mapColouring = colouring;
+  options.mapRange.reset();
+  bridge_->setViewOptions(options);
+}
+
+void MainWindow::setColourMap(ColourMap map) {
+  ViewOptions options = bridge_->viewOptions();
+  options.colourMap = map;
+  bridge_->setViewOptions(options);
+}
+
+void MainWindow::lockRanges(bool lock) {
+  ViewOptions options = bridge_->viewOptions();
+  options.cloudRange.reset();
+  options.mapRange.reset();
+  if (const auto& g = bridge_->geometry(); lock && g) {
+    if (g->options.colouring > CloudColouring::Direction)
+      options.cloudRange = {g->cloudScale.low, g->cloudScale.high};
+    options.mapRange = {g->mapScale.low, g->mapScale.high};
+  }
+  bridge_->setViewOptions(options);
+}
+
+void MainWindow::resetLayout() {
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setFloating(false);
+  restoreState(firstLayout_);
+}
+
+void MainWindow::showHelp() {
+  helpDock_->show();
+  helpDock_->raise();
+}
+
+void MainWindow::showKeys() {
+  std::vector<std::pair<QString, QString>> keys;
+  for (const QAction* action : findChildren<QAction*>()) {
+    if (action->shortcut().isEmpty()) continue;
+    QString name = action->text().remove('&').remove(QStringLiteral("…"));
+    keys.emplace_back(name, action->shortcut().toString(QKeySequence::NativeText));
+  }
+  std::ranges::sort(keys);
+  help_->setKeys(keys);
+  showHelp();
+  help_->showKeys();
+}
+
+void MainWindow::measure(bool on) {
+  measuring_ = on;
+  measureFrom_ = on ? selection_.get() : Selected{};
+  views_->cloud()->setRuler({});
+  if (on) note(tr("Select a point or a plane, then another one"));
+}
+
+void MainWindow::showMeasurement() {
+  if (!measuring_ || !snapshot()) return;
+  if (std::holds_alternative<std::monostate>(measureFrom_)) {
+    measureFrom_ = selection_.get();
+    return;
+  }
+  const auto m = measureBetween(*snapshot(), measureFrom_, selection_.get());
+  if (!m) return views_->cloud()->setRuler({});
+  if (std::isfinite(m->distance))
+    views_->cloud()->setRuler(std::pair(m->from, m->to));
+  else
+    views_->cloud()->setRuler({});
+  note(measurementText(*m));
+}
+
+QString MainWindow::hint() const {
+  return hint_->text();
+}
+
+SnapshotPtr MainWindow::snapshot() const {
+  return bridge_->geometry() ? bridge_->geometry()->snapshot : nullptr;
+}
 
 void MainWindow::setParams(const PipelineParams& params) {
-  params_->setParams(params);
+  if (!(params_->params() == params)) params_->setParams(params);
+  presets_->setParams(params);
   bridge_->setParams(params);
+}
+
+void MainWindow::changeParams(const PipelineParams& params, const QString& what) {
+  if (!(params == params_->params())) history_->add({params_->params(), params, what, {}, 0});
 }
 
 void MainWindow::takeGeometry() {
@@ -142,6 +307,7 @@ void MainWindow::takeGeometry() {
   if (otherScans || (otherGrid && std::holds_alternative<CellIndex>(selection_.get()))) {
     probe_->setGeometry(nullptr);
     selection_.clear();
+    measureFrom_ = {};
   }
   shownScans_ = scans;
   shownCell_ = snapshot.params.grid.cell;
@@ -150,8 +316,9 @@ void MainWindow::takeGeometry() {
   probe_->setGeometry(geometry);
   planes_->setGeometry(geometry);
   cut_->setGeometry(*geometry);
-  status_->setStages(snapshot);
+  stages_->setStages(snapshot.stages);
   actions_->setHasResult(true);
+  log_->add(computedText(snapshot));
   if (!otherScans) return;
 
   pages_->setCurrentWidget(views_);
@@ -160,19 +327,22 @@ void MainWindow::takeGeometry() {
     if (!scan) continue;
     names << QString::fromStdString(scan->name);
   }
-  setWindowTitle(tr("%1 — Stratascope").arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
-                                                             : names.join(QStringLiteral(", "))));
+  setWindowTitle(tr("%1 — Stratascope")
+                     .arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
+                                           : names.join(QStringLiteral(", "))));
   // The views get their size in the next turn of the event loop.
   QTimer::singleShot(0, this, [this] { views_->look(ViewDirection::Iso); });
 }
 
 void MainWindow::showError(const QString& message) {
+  log_->add(message, LogPanel::Level::Error);
   message_->showError(message);
   emit failed(message);
 }
 
 void MainWindow::note(const QString& text) {
-  hint_->setText(text.isEmpty() ? tr("Click to inspect  ·  drag to turn  ·  wheel to zoom  ·  Shift-drag to move") : text);
+  hint_->setText(text.isEmpty() ? idleHint() : text);
+  if (!text.isEmpty()) log_->add(text);
   if (text.isEmpty())
     noteEnds_->stop();
   else

@@ -13,6 +13,7 @@
 #include "widgets/pipeline_bridge.h"
 #include "widgets/selection.h"
 
+class QDockWidget;
 class QLabel;
 class QStackedWidget;
 class QTimer;
@@ -21,11 +22,16 @@ namespace stratascope {
 
 class Actions;
 class CutControl;
+class HelpPanel;
+class LogPanel;
 class MessageBar;
+class ParamHistory;
 class ParamPanel;
-class PlaneTable;
+class PlanePanel;
+class PresetBar;
 class ProbePanel;
 class Session;
+class StageStrip;
 class StatusStrip;
 class ViewArea;
 class WelcomePage;
@@ -33,15 +39,25 @@ class WelcomePage;
 /// Docks and menus around the three views; says to the other parts what happened, decides nothing of its own.
 class MainWindow : public QMainWindow {
   Q_OBJECT
- public:
+public:
   /// With a session, recent files and the window's shape are kept between runs.
   enum class Keep { Session, Nothing };
   explicit MainWindow(Keep keep, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a file, or none.
+  /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a
+  /// file, or none.
   void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
   void setParams(const PipelineParams& params);
+  /// The same as a step that can be undone under that name.
+  void changeParams(const PipelineParams& params, const QString& what);
+
+  void setMapColouring(MapColouring colouring);
+  void setColourMap(ColourMap map);
+  /// Keeps the ranges the scalar bars have now.
+  void lockRanges(bool lock);
+  /// Docks and toolbars as at the first start.
+  void resetLayout();
 
   /// Nothing is being read, computed or drawn.
   bool idle() const { return reading_ == 0 && !bridge_->busy(); }
@@ -51,10 +67,17 @@ class MainWindow : public QMainWindow {
   Selection& selection() { return selection_; }
   ViewArea& views() { return *views_; }
   ParamPanel& paramPanel() { return *params_; }
+  ParamHistory& history() { return *history_; }
+  PresetBar& presets() { return *presets_; }
+  StageStrip& stageStrip() { return *stages_; }
   ProbePanel& probePanel() { return *probe_; }
   MessageBar& messageBar() { return *message_; }
+  LogPanel& log() { return *log_; }
+  HelpPanel& help() { return *help_; }
+  PlanePanel& planes() { return *planes_; }
+  QString hint() const;
 
- public slots:
+public slots:
   void chooseFiles();
   void reload();
   void exportResultsTo();
@@ -62,23 +85,28 @@ class MainWindow : public QMainWindow {
   void loadParamsFrom();
   void saveParamsTo();
   void copyCommandLine();
+  void showHelp();
+  void showKeys();
+  /// From what is selected now to what is selected next, until switched off.
+  void measure(bool on);
   void showAbout();
 
- signals:
+signals:
   void opened();
   void failed(const QString& message);
 
- protected:
+protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
- private:
+private:
   void buildDocks();
   void connectParts();
   void takeGeometry();
   void showError(const QString& message);
   void showProgress();
+  void showMeasurement();
   /// For a few seconds in place of the hint.
   void note(const QString& text);
   void exportTo(const QString& directory);
@@ -90,11 +118,20 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   MessageBar* message_;
   ParamPanel* params_;
+  PresetBar* presets_;
+  ParamHistory* history_;
   ProbePanel* probe_;
-  PlaneTable* planes_;
+  PlanePanel* planes_;
+  HelpPanel* help_;
+  QDockWidget* helpDock_;
   CutControl* cut_;
   StatusStrip* status_;
+  StageStrip* stages_;
   QLabel* hint_;
+  LogPanel* log_;
+  QByteArray firstLayout_;
+  Selected measureFrom_;
+  bool measuring_ = false;
   QTimer* noteEnds_;
   Session* session_;
   Actions* actions_;

@@ -20,7 +20,9 @@
 namespace stratascope {
 namespace {
 
-std::string native(const QString& path) { return QFile::encodeName(path).toStdString(); }
+std::string native(const QString& path) {
+  return QFile::encodeName(path).toStdString();
+}
 
 QString fileFilter() {
   QStringList patterns;
@@ -50,7 +52,8 @@ ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eige
     }
   } catch (const std::exception& e) {
     out.error = QObject::tr("%1: could not be read: %2")
-                    .arg(QString::fromStdString(paths.empty() ? std::string() : paths.front()), QString::fromUtf8(e.what()));
+                    .arg(QString::fromStdString(paths.empty() ? std::string() : paths.front()),
+                         QString::fromUtf8(e.what()));
   }
   return out;
 }
@@ -59,7 +62,8 @@ ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eige
 
 void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
   if (paths.isEmpty()) return;
-  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()), "openFiles: one pose a file, or none");
+  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()),
+          "openFiles: one pose a file, or none");
   std::vector<std::string> names;
   for (const QString& path : paths) names.push_back(native(path));
   const int request = ++requested_;
@@ -97,8 +101,8 @@ void MainWindow::reload() {
 
 void MainWindow::exportResultsTo() {
   if (!snapshot()) return;
-  const QString directory = QFileDialog::getExistingDirectory(this, tr("Export maps, planes and cloud into a folder"),
-                                                              session_->lastDirectory());
+  const QString directory = QFileDialog::getExistingDirectory(
+      this, tr("Export maps, planes and cloud into a folder"), session_->lastDirectory());
   if (!directory.isEmpty()) exportTo(directory);
 }
 
@@ -129,7 +133,8 @@ void MainWindow::savePicture() {
   // Grabbed before the dialog, which may cover the views.
   const QPixmap picture = views_->grab();
   const QString path = QFileDialog::getSaveFileName(
-      this, tr("Save picture of the views"), session_->lastDirectory() + QStringLiteral("/stratascope.png"), tr("PNG (*.png)"));
+      this, tr("Save picture of the views"), session_->lastDirectory() + QStringLiteral("/stratascope.png"),
+      tr("PNG (*.png)"));
   if (path.isEmpty()) return;
   if (picture.save(path, path.endsWith(".png", Qt::CaseInsensitive) ? nullptr : "PNG"))
     note(tr("Saved %1").arg(path));
@@ -143,14 +148,15 @@ void MainWindow::loadParamsFrom() {
   if (path.isEmpty()) return;
   const auto params = loadParams(native(path));
   if (params)
-    setParams(*params);
+    changeParams(*params, tr("Parameters of %1").arg(QFileInfo(path).fileName()));
   else
     showError(QString::fromStdString(params.error().message()));
 }
 
 void MainWindow::saveParamsTo() {
   const QString path = QFileDialog::getSaveFileName(
-      this, tr("Save parameters"), session_->lastDirectory() + QStringLiteral("/parameters.json"), tr("Parameters (*.json)"));
+      this, tr("Save parameters"), session_->lastDirectory() + QStringLiteral("/parameters.json"),
+      tr("Parameters (*.json)"));
   if (path.isEmpty()) return;
   const Status written = writeFileAtomically(native(path), paramsToJson(params_->params()));
   if (!written) showError(QString::fromStdString(written.error().message()));
@@ -158,7 +164,8 @@ void MainWindow::saveParamsTo() {
 
 void MainWindow::copyCommandLine() {
   QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")};
-  for (QString path : paths_) words << QStringLiteral("'") + path.replace('\'', "'\\''") + QStringLiteral("'");
+  for (QString path : paths_)
+    words << QStringLiteral("'") + path.replace('\'', "'\\''") + QStringLiteral("'");
   words << QStringLiteral("--out") << QStringLiteral("results");
   const QString options = QString::fromStdString(paramsAsOptions(params_->params()));
   if (!options.isEmpty()) words << options;
@@ -167,10 +174,11 @@ void MainWindow::copyCommandLine() {
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About Stratascope"),
-                     tr("<h3>Stratascope %1</h3><p>2.5D and extended 2.5D maps from scans of a rotating laser scanner, "
-                        "through a cellular neural network.</p><p>BSD-3-Clause</p>")
-                         .arg(QString::fromUtf8(versionText())));
+  QMessageBox::about(
+      this, tr("About Stratascope"),
+      tr("<h3>Stratascope %1</h3><p>2.5D and extended 2.5D maps from scans of a rotating laser scanner, "
+         "through a cellular neural network.</p><p>BSD-3-Clause</p>")
+          .arg(QString::fromUtf8(versionText())));
 }
 
 }  // namespace stratascope

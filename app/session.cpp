@@ -6,12 +6,13 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
 
 namespace stratascope {
 namespace {
 // Raised when docks or toolbars change so much that an old arrangement no longer fits.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr int kMostRecent = 10;
 }  // namespace
 
@@ -41,6 +42,12 @@ void Session::addRecent(const QStringList& paths) {
 
 QString Session::lastDirectory() const {
   return recent_.isEmpty() ? QDir::currentPath() : QFileInfo(recent_.front()).absolutePath();
+}
+
+QString Session::presetFolder() const {
+  return keep_ ? QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
+                     QStringLiteral("/presets")
+               : QString();
 }
 
 void Session::setTheme(Theme theme) {

@@ -11,15 +11,18 @@ class QMainWindow;
 
 namespace stratascope {
 
-/// What outlives a run: recent files, the window's shape, the theme. Without `keep` nothing is read or written.
+/// What outlives a run: recent files, the window's shape, the theme. Without `keep` nothing is read or
+/// written.
 class Session : public QObject {
   Q_OBJECT
- public:
+public:
   explicit Session(bool keep, QObject* parent = nullptr);
 
   QStringList recentFiles() const { return recent_; }
   void addRecent(const QStringList& paths);
   QString lastDirectory() const;
+  /// Where the user's own presets are; empty if nothing is kept.
+  QString presetFolder() const;
 
   Theme theme() const { return theme_; }
   void setTheme(Theme theme);
@@ -27,10 +30,10 @@ class Session : public QObject {
   void restore(QMainWindow& window);
   void save(const QMainWindow& window);
 
- signals:
+signals:
   void recentChanged(const QStringList& recent);
 
- private:
+private:
   bool keep_;
   QStringList recent_;
   Theme theme_ = Theme::System;

@@ -9,28 +9,34 @@
 
 namespace stratascope {
 
-void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction,
-            double aspect, double covered) {
+void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing,
+            ViewDirection direction, double aspect, double covered) {
   constexpr double kMargin = 1.06;
   const Eigen::Vector3d ahead(viewing.x(), viewing.y(), 0);
   const Eigen::Vector3d left(-ahead.y(), ahead.x(), 0);
   Eigen::Vector3d look = ahead, up = Eigen::Vector3d::UnitZ();
   switch (direction) {
     // Behind the sensor, a little to its right, from above.
-    case ViewDirection::Iso: look = (ahead + 0.55 * left - 1.1 * Eigen::Vector3d::UnitZ()).normalized(); break;
+    case ViewDirection::Iso:
+      look = (ahead + 0.55 * left - 1.1 * Eigen::Vector3d::UnitZ()).normalized();
+      break;
     case ViewDirection::Top:
       look = -Eigen::Vector3d::UnitZ();
       up = ahead;
       break;
-    case ViewDirection::Front: break;
-    case ViewDirection::Side: look = left; break;
+    case ViewDirection::Front:
+      break;
+    case ViewDirection::Side:
+      look = left;
+      break;
   }
   const Eigen::Vector3d right = look.cross(up).normalized();
   const Eigen::Vector3d above = right.cross(look);
 
   const double tanWhole = std::tan(0.5 * degToRad(camera.GetViewAngle()));
   const double tanV = tanWhole * (1 - covered), tanH = tanWhole * std::max(aspect, 0.1);
-  // The eye must be far enough for each corner; then the picture is centred between its outermost corners, once.
+  // The eye must be far enough for each corner; then the picture is centred between its outermost corners,
+  // once.
   Eigen::Vector3d focus = box.center();
   double distance = 0;
   for (int pass = 0; pass < 2; ++pass) {
@@ -56,6 +62,7 @@ void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vect
   camera.SetPosition(eye.x(), eye.y(), eye.z());
   camera.SetViewUp(up.x(), up.y(), up.z());
   camera.SetWindowCenter(0, -covered);
+  camera.SetParallelScale(distance * tanWhole);
 }
 
 }  // namespace stratascope

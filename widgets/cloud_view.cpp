@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/point_explanation.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
 
@@ -14,9 +15,12 @@ namespace stratascope {
 namespace {
 constexpr double kPickRadius = 5;  // pixels of the widget
 constexpr Rgb kEdgeColour{225, 30, 30};
+constexpr size_t kMostNames = 60;
+constexpr double kNameOff = 0.12;  // metres in front of the plane, or its points would hide the name
 
 Rgb rgbOf(const QColor& c) {
-  return {static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()), static_cast<std::uint8_t>(c.blue())};
+  return {static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()),
+          static_cast<std::uint8_t>(c.blue())};
 }
 }  // namespace
 
@@ -28,10 +32,19 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
       point_(renderer(), kHighlight),
       outline_(renderer(), kHighlight),
       sensor_(renderer(), rgbOf(palette().color(QPalette::WindowText))),
-      edges_(renderer(), kEdgeColour) {
+      ruler_(renderer(), kHighlight),
+      edges_{OverlayActor(renderer(), kEdgeColour),
+             OverlayActor(renderer(), classColour(SurfaceClass::ConvexEdge)),
+             OverlayActor(renderer(), classColour(SurfaceClass::ConcaveEdge)),
+             OverlayActor(renderer(), classColour(SurfaceClass::JumpEdge))},
+      shell_{OverlayActor(renderer(), kTakenColour), OverlayActor(renderer(), kNearColour),
+             OverlayActor(renderer(), kFarColour)},
+      planeNames_(renderer()),
+      grid_(renderer(), devicePixelRatioF()) {
   colouring_ = new QComboBox;
   colouring_->setObjectName("colouring");
-  colouring_->addItems({tr("Surface class"), tr("Plane"), tr("Height")});
+  for (int i = 0; i < kCloudColourings; ++i)
+    colouring_->addItem(colouringName(static_cast<CloudColouring>(i)));
   colouring_->setToolTip(tr("What the colours of the points mean"));
   addHeaderWidget(colouring_);
   legend_ = new Legend;
@@ -43,12 +56,16 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
   marked_.setSizes(3 * ratio, 1);
   point_.setSizes(11 * ratio, 2 * ratio);
   outline_.setSizes(2, 2.5 * ratio);
+  ruler_.setSizes(7 * ratio, 3 * ratio);
   sensor_.setSizes(9 * ratio, 2.5 * ratio);
-  edges_.setSizes(2, 3 * ratio);
+  for (OverlayActor& edges : edges_) edges.setSizes(2, 3 * ratio);
+  for (OverlayActor& shell : shell_) shell.setSizes(4 * ratio, 1);
+  grid_.setPalette(palette());
 
   connect(colouring_, qOverload<int>(&QComboBox::activated), this,
           [this](int i) { emit colouringChosen(static_cast<CloudColouring>(i)); });
   connect(this, &VtkView::clicked, this, &CloudView::pick);
+  connect(this, &VtkView::hovered, this, &CloudView::hover);
   connect(&selection_, &Selection::changed, this, &CloudView::highlight);
 }
 
@@ -67,31 +84,84 @@ void CloudView::setGeometry(const ViewGeometryPtr& geometry) {
       !std::holds_alternative<CellIndex>(selection_.get()))
     return;
   actor_.set(*geometry_);
+  if (old && old->cloud == geometry_->cloud) noteChange();
   drawMarks();
   highlight();
 }
 
-void CloudView::setEdgesVisible(bool visible) {
-  edgesVisible_ = visible;
+void CloudView::setEdges(Edges edges) {
+  shownEdges_ = edges;
   drawMarks();
+  scheduleRender();
+}
+
+void CloudView::setOutlines(bool visible) {
+  outlines_ = visible;
+  drawMarks();
+  scheduleRender();
+}
+
+void CloudView::setGrid(bool visible) {
+  grid_.setVisible(visible);
+  scheduleRender();
+}
+
+void CloudView::setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends) {
+  ruler_.clear();
+  if (ends) {
+    ruler_.addSegment(ends->first, ends->second);
+    ruler_.addPoint(ends->first.cast<float>());
+    ruler_.addPoint(ends->second.cast<float>());
+  }
+  ruler_.commit(std::numeric_limits<double>::infinity());
   scheduleRender();
 }
 
 void CloudView::drawMarks() {
   sensor_.clear();
-  edges_.clear();
+  for (OverlayActor& edges : edges_) edges.clear();
+  std::vector<TextLabels::Label> names;
+  size_t outlines = 0;
   if (geometry_) {
-    for (const ScanProducts& scan : geometry_->snapshot->scans) {
+    const ViewGeometry& g = *geometry_;
+    for (const ScanProducts& scan : g.snapshot->scans) {
       if (scan.points) {
         sensor_.addPoint(scan.points->sensor.cast<float>());
         sensor_.addSegment(scan.points->sensor, scan.points->sensor + 0.4 * scan.points->viewing);
       }
-      if (edgesVisible_ && scan.edges)
-        for (const Edge& edge : scan.edges->edges)
-          if (edge.vertical) edges_.addSegment(edge.from, edge.to);
+      if (shownEdges_ != Edges::None && scan.edges)
+        for (const Edge& edge : scan.edges->edges) {
+          if (shownEdges_ == Edges::ByKind)
+            edges_[1 + static_cast<size_t>(edge.kind)].addSegment(edge.from, edge.to);
+          else if (edge.vertical)
+            edges_[0].addSegment(edge.from, edge.to);
+        }
+      if (!outlines_ || !scan.planes) continue;
+      for (const Plane& plane : scan.planes->planes) {
+        const std::uint32_t number = g.numbers.of(plane.label);
+        const Rgb rgb = planeColour(number);
+        if (outlines == planeOutlines_.size())
+          planeOutlines_.push_back(std::make_unique<OverlayActor>(renderer(), rgb));
+        OverlayActor& outline = *planeOutlines_[outlines++];
+        outline.setColour(rgb);
+        outline.setSizes(2, 2 * devicePixelRatioF());
+        outline.clear();
+        outline.addLoop(plane.hull);
+        outline.commit(g.cut);
+        if (names.size() < kMostNames && plane.centroid.z() <= g.cut)
+          names.push_back({plane.centroid + kNameOff * plane.normal, QString::number(number),
+                           palette().color(QPalette::WindowText)});
+      }
     }
-    edges_.commit(geometry_->cut);
+    grid_.set(g.bounds, g.heights.low);
   }
+  const double cut = geometry_ ? geometry_->cut : 0;
+  for (OverlayActor& edges : edges_) edges.commit(cut);
+  for (; outlines < planeOutlines_.size(); ++outlines) {
+    planeOutlines_[outlines]->clear();
+    planeOutlines_[outlines]->commit(0);
+  }
+  planeNames_.show(names, true);
   sensor_.commit(std::numeric_limits<double>::infinity());
 }
 
@@ -117,7 +187,7 @@ void CloudView::describe() {
         if (g.classCounts[static_cast<size_t>(c)] == 0 && (c == 0 || c > 3)) continue;
         const Rgb rgb = classColour(static_cast<SurfaceClass>(c));
         const double share = 100 * static_cast<double>(g.classCounts[static_cast<size_t>(c)]) / all;
-        entries.push_back({QColor(rgb.r, rgb.g, rgb.b), tr(className(static_cast<SurfaceClass>(c))),
+        entries.push_back({QColor(rgb.r, rgb.g, rgb.b), tableText(className(static_cast<SurfaceClass>(c))),
                            share > 0 && share < 1 ? tr("< 1 %") : tr("%1 %").arg(std::lround(share))});
       }
       legend_->showList(tr("Surface class"), std::move(entries));
@@ -125,32 +195,73 @@ void CloudView::describe() {
     }
     case CloudColouring::Plane: {
       size_t planes = 0;
-      for (const ScanProducts& scan : g.snapshot->scans) planes += scan.planes ? scan.planes->planes.size() : 0;
+      for (const ScanProducts& scan : g.snapshot->scans)
+        planes += scan.planes ? scan.planes->planes.size() : 0;
       const Rgb none = planeColour(kNoPlane);
       legend_->showList(tr("%1 planes, a colour each").arg(countText(planes)),
                         {{QColor(none.r, none.g, none.b), tr("no plane"), {}}});
       break;
     }
-    case CloudColouring::Height: legend_->showScale(tr("Height in m"), g.scale); break;
+    case CloudColouring::Direction: {
+      std::vector<Legend::Entry> entries;
+      const char* names[6] = {"+x", "−x", "+y", "−y", "+z", "−z"};
+      for (int i = 0; i < 6; ++i) {
+        Eigen::Vector3f n = Eigen::Vector3f::Zero();
+        n[i / 2] = i % 2 ? -1.0f : 1.0f;
+        const Rgb rgb = directionColour(n);
+        entries.push_back({QColor(rgb.r, rgb.g, rgb.b), QString::fromUtf8(names[i]), {}});
+      }
+      entries.push_back({QColor(kNoValue.r, kNoValue.g, kNoValue.b), tr("no normal"), {}});
+      legend_->showList(tr("Direction of the normal"), std::move(entries));
+      break;
+    }
+    default:
+      legend_->showScale(scaleTitle(g.options.colouring), g.cloudScale);
   }
   setLegend(legend_);
 }
 
-void CloudView::pick(QPoint position) {
-  if (!geometry_) return;
+std::optional<PointRef> CloudView::pointAt(QPoint position) const {
+  if (!geometry_ || position.x() < 0) return std::nullopt;
   const Eigen::Vector2d at = displayPosition(position);
-  const size_t i = pickPoint(geometry_->cloud->positions, projection(), at.x(), at.y(), kPickRadius * devicePixelRatioF(),
-                             geometry_->cut);
-  if (i == kNothingPicked)
-    selection_.clear();
+  const size_t i = pickPoint(geometry_->cloud->positions, projection(), at.x(), at.y(),
+                             kPickRadius * devicePixelRatioF(), geometry_->cut);
+  if (i == kNothingPicked) return std::nullopt;
+  return geometry_->cloud->source[i];
+}
+
+void CloudView::pick(QPoint position) {
+  if (const auto point = pointAt(position))
+    selection_.set(*point);
   else
-    selection_.set(geometry_->cloud->source[i]);
+    selection_.clear();
+}
+
+void CloudView::hover(QPoint position) {
+  const auto point = pointAt(position);
+  if (!point) {
+    emit hoverText({});
+    return;
+  }
+  const Snapshot& s = *geometry_->snapshot;
+  const Eigen::Vector3f p = positionOf(s, *point);
+  QStringList parts{
+      QStringLiteral("x %1  y %2  z %3").arg(metresText(p.x()), metresText(p.y()), metresText(p.z()))};
+  const ScanProducts& scan = s.scans[static_cast<size_t>(point->scan)];
+  if (scan.points) parts << tr("range %1").arg(metresText((p - scan.points->sensor.cast<float>()).norm()));
+  if (const auto neuron = neuronOf(s, *point))
+    parts << tr("line %1, beam %2").arg(neuron->row).arg(neuron->col);
+  parts << tableText(className(classOf(s, *point)));
+  const PlaneLabel label = labelOf(s, *point);
+  if (label != kNoPlane) parts << tr("plane %1").arg(geometry_->numbers.of(label));
+  emit hoverText(parts.join(QStringLiteral("  ·  ")));
 }
 
 void CloudView::highlight() {
   marked_.clear();
   point_.clear();
   outline_.clear();
+  for (OverlayActor& shell : shell_) shell.clear();
   if (geometry_) {
     const ViewGeometry& g = *geometry_;
     const auto mark = [&](const auto& belongs) {
@@ -158,10 +269,20 @@ void CloudView::highlight() {
         if (belongs(i)) marked_.addPoint(g.cloud->positions[i]);
     };
     const auto markPlane = [&](PlaneLabel label) {
-      if (const Plane* plane = label == kNoPlane ? nullptr : g.snapshot->plane(label)) outline_.addLoop(plane->hull);
+      if (const Plane* plane = label == kNoPlane ? nullptr : g.snapshot->plane(label))
+        outline_.addLoop(plane->hull);
     };
     if (const auto* point = std::get_if<PointRef>(&selection_.get())) {
       point_.addPoint(positionOf(*g.snapshot, *point));
+      if (const auto why = explainPoint(*g.snapshot, *point)) {
+        const std::vector<Eigen::Vector3f>* groups[3] = {&why->taken, &why->tooNear, &why->tooFar};
+        for (size_t i = 0; i < 3; ++i)
+          for (const Eigen::Vector3f& p : *groups[i]) shell_[i].addPoint(p);
+        const Eigen::Vector3d here = positionOf(*g.snapshot, *point).cast<double>();
+        for (const auto& difference : {why->p1, why->p2})
+          if (difference) point_.addSegment(here, here + *difference);
+        if (why->normal) point_.addSegment(here, here + g.snapshot->params.normals.epsilon1 * *why->normal);
+      }
       markPlane(labelOf(*g.snapshot, *point));
     } else if (const auto* cell = std::get_if<CellIndex>(&selection_.get()); cell && g.snapshot->cells) {
       const MapFrame& frame = g.snapshot->cells->frame;
@@ -176,6 +297,7 @@ void CloudView::highlight() {
       markPlane(*label);
     }
     for (OverlayActor* overlay : {&marked_, &point_, &outline_}) overlay->commit(g.cut);
+    for (OverlayActor& shell : shell_) shell.commit(g.cut);
   }
   scheduleRender();
 }
@@ -184,6 +306,8 @@ void CloudView::changeEvent(QEvent* event) {
   VtkView::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) {
     sensor_.setColour(rgbOf(palette().color(QPalette::WindowText)));
+    grid_.setPalette(palette());
+    drawMarks();
     scheduleRender();
   }
 }

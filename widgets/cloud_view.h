@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "widgets/ground_grid.h"
 #include "widgets/legend.h"
 #include "widgets/overlay_actor.h"
 #include "widgets/scan_actor.h"
@@ -16,21 +22,28 @@ namespace stratascope {
 /// The cloud, coloured by class, plane or height, with the sensor's place and the vertical edges.
 class CloudView : public VtkView {
   Q_OBJECT
- public:
+public:
   explicit CloudView(Selection& selection, QWidget* parent = nullptr);
 
   void setGeometry(const ViewGeometryPtr& geometry);
-  void setEdgesVisible(bool visible);
+  enum class Edges { None, Vertical, ByKind };
+  void setEdges(Edges edges);
+  void setOutlines(bool visible);
+  void setGrid(bool visible);
+  /// A line between two places of the scene, or none.
+  void setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
 
- signals:
+signals:
   void colouringChosen(CloudColouring colouring);
 
- protected:
+protected:
   void setCoarse(bool coarse) override { actor_.setCoarse(coarse); }
   void changeEvent(QEvent* event) override;
 
- private:
+private:
+  std::optional<PointRef> pointAt(QPoint position) const;
   void pick(QPoint position);
+  void hover(QPoint position);
   void highlight();
   void drawMarks();
   void describe();
@@ -38,10 +51,16 @@ class CloudView : public VtkView {
   Selection& selection_;
   ViewGeometryPtr geometry_;
   ScanActor actor_;
-  OverlayActor marked_, point_, outline_, sensor_, edges_;
+  OverlayActor marked_, point_, outline_, sensor_, ruler_;
+  std::array<OverlayActor, 4> edges_;  ///< vertical, then by kind
+  std::array<OverlayActor, 3> shell_;  ///< neighbours of the selected point: taken, too near, too far
+  std::vector<std::unique_ptr<OverlayActor>> planeOutlines_;
+  TextLabels planeNames_;
+  GroundGrid grid_;
   Legend* legend_;
   QComboBox* colouring_;
-  bool edgesVisible_ = false;
+  Edges shownEdges_ = Edges::None;
+  bool outlines_ = false;
 };
 
 }  // namespace stratascope

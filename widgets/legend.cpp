@@ -43,7 +43,7 @@ void Legend::showList(const QString& title, std::vector<Entry> entries) {
   update();
 }
 
-void Legend::showScale(const QString& title, const HeightScale& scale) {
+void Legend::showScale(const QString& title, const ColourScale& scale) {
   if (bar_ && title == title_ && scale == scale_) return;
   title_ = title;
   scale_ = scale;
@@ -58,7 +58,8 @@ QSize Legend::sizeHint() const {
   if (bar_) return {kBarWidth + 2 * kMargin + 16, 2 * kMargin + 2 * line + kBarHeight + 6};
   int width = metrics.horizontalAdvance(title_);
   for (const Entry& e : entries_)
-    width = std::max(width, kSwatch + kGap + metrics.horizontalAdvance(e.name) + 14 + metrics.horizontalAdvance(e.value));
+    width = std::max(
+        width, kSwatch + kGap + metrics.horizontalAdvance(e.name) + 14 + metrics.horizontalAdvance(e.value));
   return {width + 2 * kMargin, 2 * kMargin + line * (static_cast<int>(entries_.size()) + 1) + 2};
 }
 
@@ -95,7 +96,7 @@ void Legend::paintEvent(QPaintEvent*) {
   const QRect bar(kMargin + 8, y + 1, width() - 2 * kMargin - 16, kBarHeight);
   painter.setRenderHint(QPainter::Antialiasing, false);
   for (int x = 0; x < bar.width(); ++x) {
-    const Rgb c = heightColour((x + 0.5) / bar.width());
+    const Rgb c = mapColour(scale_.map, (x + 0.5) / bar.width());
     painter.fillRect(bar.x() + x, bar.y(), 1, bar.height(), QColor(c.r, c.g, c.b));
   }
   const double range = scale_.high - scale_.low;

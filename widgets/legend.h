@@ -10,10 +10,11 @@
 
 namespace stratascope {
 
-/// A card over a 3D picture that says what its colours mean: a list of swatches, or a scalar bar in metres. Lets the mouse through.
+/// A card over a 3D picture that says what its colours mean: a list of swatches, or a scalar bar. Lets the
+/// mouse through.
 class Legend : public QWidget {
   Q_OBJECT
- public:
+public:
   struct Entry {
     QColor colour;
     QString name;
@@ -23,17 +24,17 @@ class Legend : public QWidget {
   explicit Legend(QWidget* parent = nullptr);
 
   void showList(const QString& title, std::vector<Entry> entries);
-  void showScale(const QString& title, const HeightScale& scale);
+  void showScale(const QString& title, const ColourScale& scale);
 
   QSize sizeHint() const override;
 
- protected:
+protected:
   void paintEvent(QPaintEvent* event) override;
 
- private:
+private:
   QString title_;
   std::vector<Entry> entries_;
-  HeightScale scale_;
+  ColourScale scale_;
   bool bar_ = false;
 };
 

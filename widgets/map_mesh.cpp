@@ -15,7 +15,7 @@ namespace {
 constexpr float kTopShade = 1.0f, kShadeX = 0.85f, kShadeY = 0.72f, kBottomShade = 0.5f;
 
 class MeshWriter {
- public:
+public:
   explicit MeshWriter(size_t facesExpected) {
     mesh_.xyz.reserve(facesExpected * 12);
     mesh_.rgb.reserve(facesExpected * 12);
@@ -42,10 +42,18 @@ class MeshWriter {
   void wall(int side, double x0, double y0, double x1, double y1, double low, double high, Rgb c) {
     const Rgb s = shaded(c, side < 2 ? kShadeX : kShadeY);
     switch (side) {
-      case 0: face({{{x0, y1, low}, {x0, y0, low}, {x0, y0, high}, {x0, y1, high}}}, s); break;
-      case 1: face({{{x1, y0, low}, {x1, y1, low}, {x1, y1, high}, {x1, y0, high}}}, s); break;
-      case 2: face({{{x0, y0, low}, {x1, y0, low}, {x1, y0, high}, {x0, y0, high}}}, s); break;
-      default: face({{{x1, y1, low}, {x0, y1, low}, {x0, y1, high}, {x1, y1, high}}}, s); break;
+      case 0:
+        face({{{x0, y1, low}, {x0, y0, low}, {x0, y0, high}, {x0, y1, high}}}, s);
+        break;
+      case 1:
+        face({{{x1, y0, low}, {x1, y1, low}, {x1, y1, high}, {x1, y0, high}}}, s);
+        break;
+      case 2:
+        face({{{x0, y0, low}, {x1, y0, low}, {x1, y0, high}, {x0, y0, high}}}, s);
+        break;
+      default:
+        face({{{x1, y1, low}, {x0, y1, low}, {x0, y1, high}, {x1, y1, high}}}, s);
+        break;
     }
   }
 
@@ -55,7 +63,7 @@ class MeshWriter {
     return std::move(mesh_);
   }
 
- private:
+private:
   MapMesh mesh_;
 };
 
@@ -63,21 +71,25 @@ constexpr std::array<CellIndex, 4> kNeighbours{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}
 
 }  // namespace
 
-double minimumBoxThickness(const MapFrame& frame) { return 0.25 * frame.cell; }
+double minimumBoxThickness(const MapFrame& frame) {
+  return 0.25 * frame.cell;
+}
 
 std::vector<float> heightsBelow(const CellAssignment& cells, double cut) {
   std::vector<float> out(cells.frame.size(), kNaNf);
   for (size_t o = 0; o < out.size(); ++o) {
-    const auto begin = cells.heights.begin() + cells.first[o], end = cells.heights.begin() + cells.first[o + 1];
+    const auto begin = cells.heights.begin() + cells.first[o],
+               end = cells.heights.begin() + cells.first[o + 1];
     const auto above = std::partition_point(begin, end, [&](float z) { return z <= cut; });
     if (above != begin) out[o] = *std::prev(above);
   }
   return out;
 }
 
-MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, double base, const HeightScale& scale,
-                        MeshDetail detail) {
+MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const float> values,
+                        double base, const ColourScale& scale, MeshDetail detail) {
   require(heights.size() == frame.size(), "buildColumnMesh: heights do not fit the frame");
+  require(values.empty() || values.size() == frame.size(), "buildColumnMesh: one value a cell");
   const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
   MeshWriter out(heights.size());
   for (size_t o = 0; o < heights.size(); ++o) {
@@ -85,7 +97,7 @@ MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, d
     if (std::isnan(z)) continue;
     const CellIndex c = frame.index(o);
     const Eigen::Vector2d p = frame.lowerCorner(c), q = frame.lowerCorner({c.k + 1, c.l + 1});
-    const Rgb colour = heightColour(scale.fraction(z));
+    const Rgb colour = scale.colour(values.empty() ? z : values[o]);
     out.top(p.x(), p.y(), q.x(), q.y(), z, colour);
     for (int side = 0; side < 4; ++side) {
       const CellIndex n{c.k + kNeighbours[side].k, c.l + kNeighbours[side].l};
@@ -100,7 +112,9 @@ MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, d
   return out.take();
 }
 
-MapMesh buildBoxMesh(const IntervalMap& map, double cut, const HeightScale& scale, MeshDetail detail) {
+MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, double cut,
+                     const ColourScale& scale, MeshDetail detail) {
+  require(values.empty() || values.size() == map.records.size(), "buildBoxMesh: one value a record");
   const MapFrame& frame = map.frame;
   const double thickness = minimumBoxThickness(frame);
   const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
@@ -114,7 +128,7 @@ MapMesh buildBoxMesh(const IntervalMap& map, double cut, const HeightScale& scal
       if (r.min > cut) break;
       const double high = std::min<double>(r.max, cut);
       const double low = std::min<double>(r.min, high - thickness);
-      const Rgb colour = heightColour(scale.fraction(high));
+      const Rgb colour = scale.colour(values.empty() ? high : values[i]);
       out.top(p.x(), p.y(), q.x(), q.y(), high, colour);
       // Undersides matter only for what hangs above something; from above they are culled and cost little.
       if (detail == MeshDetail::Full && i > map.first[o]) out.bottom(p.x(), p.y(), q.x(), q.y(), low, colour);

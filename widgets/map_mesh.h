@@ -11,8 +11,8 @@
 
 namespace stratascope {
 
-/// Triangles with colours at the corners, face shade baked in: four vertices and two triangles a face, outward winding.
-/// Built on any thread; VTK arrays are laid over the vectors without a copy.
+/// Triangles with colours at the corners, face shade baked in: four vertices and two triangles a face,
+/// outward winding. Built on any thread; VTK arrays are laid over the vectors without a copy.
 struct MapMesh {
   std::vector<float> xyz;
   std::vector<std::uint8_t> rgb;
@@ -24,16 +24,19 @@ struct MapMesh {
 /// Coarse leaves out low walls and undersides: for use while the camera moves.
 enum class MeshDetail { Full, Coarse };
 
-/// The highest height at or below `cut` in each cell, NaN where there is none: the 2.5D map of what lies below the cut. With
-/// an infinite cut this is the height map itself.
+/// The highest height at or below `cut` in each cell, NaN where there is none: the 2.5D map of what lies
+/// below the cut. With an infinite cut this is the height map itself.
 std::vector<float> heightsBelow(const CellAssignment& cells, double cut);
 
-/// One column a cell, from `base` (or the lower neighbour) up to its height. A wall stands only where the neighbour is lower.
-MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, double base, const HeightScale& scale,
-                        MeshDetail detail);
+/// One column a cell, from `base` (or the lower neighbour) up to its height. A wall stands only where the
+/// neighbour is lower. Coloured by `values`, one a cell, or by height if there are none.
+MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const float> values,
+                        double base, const ColourScale& scale, MeshDetail detail);
 
-/// One box a record. Records above the cut are left out, one it passes through ends there.
-MapMesh buildBoxMesh(const IntervalMap& map, double cut, const HeightScale& scale, MeshDetail detail);
+/// One box a record. Records above the cut are left out, one it passes through ends there. Coloured by
+/// `values`, one a record, or by height if there are none.
+MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, double cut,
+                     const ColourScale& scale, MeshDetail detail);
 
 /// Thickness a box is drawn with at least, so that a record of one height can be seen.
 double minimumBoxThickness(const MapFrame& frame);

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/map_view.h"
 
+#include <QActionGroup>
+#include <QEvent>
+#include <QMenu>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "widgets/text_format.h"
+#include "widgets/theme.h"
 
 namespace stratascope {
 
@@ -17,12 +22,33 @@ MapView::MapView(Kind kind, Selection& selection, QWidget* parent)
       selection_(selection),
       actor_(renderer()),
       marked_(renderer(), kHighlight),
-      cell_(renderer(), kHighlight) {
+      cell_(renderer(), kHighlight),
+      grid_(renderer(), devicePixelRatioF()) {
+  auto* colour = new QToolButton;
+  colour->setObjectName("mapColouring");
+  colour->setAutoRaise(true);
+  colour->setPopupMode(QToolButton::InstantPopup);
+  colour->setToolTip(tr("What the colours of both maps mean"));
+  setThemedIcon(colour, "palette");
+  auto* menu = new QMenu(colour);
+  colourings_ = new QActionGroup(this);
+  for (int i = 0; i < kMapColourings; ++i) {
+    QAction* action = menu->addAction(colouringName(static_cast<MapColouring>(i)));
+    action->setCheckable(true);
+    action->setChecked(i == 0);
+    colourings_->addAction(action);
+    connect(action, &QAction::triggered, this,
+            [this, i] { emit colouringChosen(static_cast<MapColouring>(i)); });
+  }
+  colour->setMenu(menu);
+  addHeaderWidget(colour);
+  grid_.setPalette(palette());
   legend_ = new Legend;
   setLegend(legend_);
   legend_->hide();
   cell_.setSizes(4, 3 * devicePixelRatioF());
   connect(this, &VtkView::clicked, this, &MapView::pick);
+  connect(this, &VtkView::hovered, this, &MapView::hover);
   connect(&selection_, &Selection::changed, this, &MapView::highlight);
 }
 
@@ -31,35 +57,71 @@ void MapView::setGeometry(const ViewGeometryPtr& geometry) {
   if (!geometry_) return;
   const ViewGeometry& g = *geometry_;
   const auto& mesh = kind_ == Kind::Columns ? g.columns : g.boxes;
-  const bool same = old && mesh == (kind_ == Kind::Columns ? old->columns : old->boxes) &&
-                    old->snapshot->objectMap == g.snapshot->objectMap;
-  if (!same) actor_.set(mesh, kind_ == Kind::Columns ? g.columnsCoarse : g.boxesCoarse);
+  const bool sameMesh = old && mesh == (kind_ == Kind::Columns ? old->columns : old->boxes);
+  if (!sameMesh) {
+    actor_.set(mesh, kind_ == Kind::Columns ? g.columnsCoarse : g.boxesCoarse);
+    if (old && old->cloud == g.cloud) noteChange();
+  }
 
+  grid_.set(g.bounds, g.heights.low);
+  colourings_->actions()[static_cast<int>(g.options.mapColouring)]->setChecked(true);
   QStringList parts;
   if (kind_ == Kind::Columns && g.columnHeights) {
     const auto seen = std::ranges::count_if(*g.columnHeights, [](float z) { return !std::isnan(z); });
-    parts << tr("%1 cells of %2").arg(countText(static_cast<size_t>(seen)), metresText(g.snapshot->params.grid.cell, 2));
-    parts << (g.cut < g.highest ? tr("highest below %1").arg(metresText(g.cut, 2)) : tr("highest of each cell"));
+    parts << tr("%1 cells of %2")
+                 .arg(countText(static_cast<size_t>(seen)), metresText(g.snapshot->params.grid.cell, 2));
+    parts << (g.cut < g.highest ? tr("highest below %1").arg(metresText(g.cut, 2))
+                                : tr("highest of each cell"));
   } else if (kind_ == Kind::Boxes && g.boxes) {
     parts << tr("%1 records").arg(countText(g.boxCount));
     parts << tr("ε %1").arg(metresText(g.snapshot->params.intervals.epsilon, 2));
     if (g.cut < g.highest) parts << tr("below %1").arg(metresText(g.cut, 2));
   }
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
-  legend_->showScale(tr("Height in m"), g.scale);
+  legend_->showScale(scaleTitle(g.options.mapColouring), g.mapScale);
   setLegend(legend_);
-  // A selected plane's cells are shown by the object map; without a selection only the mesh counts.
-  if (!same && (!old || mesh != (kind_ == Kind::Columns ? old->columns : old->boxes) ||
-                !std::holds_alternative<std::monostate>(selection_.get())))
-    highlight();
+  // Drawing is what costs: planes found anew matter here only while one of them is marked.
+  if (!sameMesh || std::holds_alternative<PlaneLabel>(selection_.get())) highlight();
 }
 
 std::optional<CellIndex> MapView::cellUnder(QPoint position) const {
   if (!geometry_) return std::nullopt;
   const ViewGeometry& g = *geometry_;
   if (kind_ == Kind::Columns)
-    return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base) : std::nullopt;
+    return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base)
+                           : std::nullopt;
   return g.boxes ? pickBox(rayAt(position), *g.snapshot->intervalMap, g.cut) : std::nullopt;
+}
+
+void MapView::setGrid(bool visible) {
+  grid_.setVisible(visible);
+  scheduleRender();
+}
+
+void MapView::changeEvent(QEvent* event) {
+  VtkView::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  grid_.setPalette(palette());
+  scheduleRender();
+}
+
+void MapView::hover(QPoint position) {
+  const auto cell = position.x() < 0 ? std::nullopt : cellUnder(position);
+  if (!cell) {
+    emit hoverText({});
+    return;
+  }
+  const Snapshot& s = *geometry_->snapshot;
+  const Eigen::Vector2d at = s.cells->frame.centre(*cell);
+  QStringList parts{tr("cell k %1, l %2").arg(cell->k).arg(cell->l),
+                    QStringLiteral("x %1  y %2").arg(metresText(at.x()), metresText(at.y()))};
+  if (s.heightMap && s.heightMap->frame.contains(*cell))
+    parts << tr("2.5D height %1").arg(metresText(s.heightMap->height[s.heightMap->frame.offset(*cell)]));
+  const auto records = s.intervalMap->cell(*cell);
+  parts << (records.size() == 1 ? tr("1 record") : tr("%1 records").arg(records.size()));
+  if (records.size() > 1)
+    parts << tr("%1 free over the lowest").arg(metresText(records[1].min - records[0].max, 2));
+  emit hoverText(parts.join(QStringLiteral("  ·  ")));
 }
 
 void MapView::pick(QPoint position) {
@@ -74,7 +136,7 @@ void MapView::markCell(OverlayActor& overlay, CellIndex cell) const {
   // A needle above everything shown, so that a cell behind a wall is found as well.
   const auto pin = [&](double from) {
     const Eigen::Vector2d at = g.snapshot->cells->frame.centre(cell);
-    const double to = g.scale.high + 0.2 * (g.scale.high - g.scale.low);
+    const double to = g.heights.high + 0.2 * (g.heights.high - g.heights.low);
     overlay.addSegment({at.x(), at.y(), from}, {at.x(), at.y(), to});
   };
   if (kind_ == Kind::Columns) {

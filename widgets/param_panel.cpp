@@ -2,99 +2,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/param_panel.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSignalBlocker>
-#include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <string_view>
+
+#include "pipeline/snapshot.h"
+#include "widgets/text_format.h"
 
 namespace stratascope {
 namespace {
 
-/// Turning the wheel over a control that has no focus scrolls the panel instead of changing a value.
-class WheelGuard : public QObject {
- public:
-  using QObject::QObject;
-  bool eventFilter(QObject* object, QEvent* event) override {
-    if (event->type() != QEvent::Wheel) return false;
-    auto* widget = qobject_cast<QWidget*>(object);
-    if (!widget || widget->hasFocus()) return false;
-    event->ignore();
-    return true;
+constexpr int kProblemMs = 6000;
+
+QString stageTitle(const char* stage) {
+  if (std::string_view(stage) == "range") return QObject::tr("Range");
+  for (int i = 0; i < kStageCount; ++i)
+    if (std::string_view(stageName(static_cast<Stage>(i))) == stage)
+      return tableText(stageLabel(static_cast<Stage>(i)));
+  return QString::fromUtf8(stage);
+}
+
+QString problemsOf(const PipelineParams& params) {
+  QStringList lines;
+  for (const std::string& problem : params.validate()) lines << QString::fromStdString(problem);
+  return lines.join('\n');
+}
+
+/// The value nearest to `wanted` that goes together with the others, on the way there from the present one.
+double nearestAllowed(PipelineParams params, const ParamInfo& info, double wanted) {
+  const double present = info.get(params);
+  if (info.kind != ParamKind::Real && info.kind != ParamKind::Integer) return present;
+  const SliderScale scale{info.minimum, info.maximum, info.step};
+  int good = scale.position(present), bad = scale.position(wanted);
+  double best = present;
+  while (std::abs(bad - good) > 1) {
+    const int middle = (good + bad) / 2;
+    info.set(params, scale.value(middle));
+    if (params.validate().empty()) {
+      good = middle;
+      best = scale.value(middle);
+    } else {
+      bad = middle;
+    }
   }
-};
-
-QString stageTitle(QString text) {
-  text.replace('_', ' ');
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
-}
-
-int decimalsOf(double step) {
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(std::max(step, 1e-6)) - 1e-9)), 0, 6);
-}
-
-QString tooltip(const ParamInfo& info) {
-  return QStringLiteral("<p style='white-space:pre-wrap'>%1</p><p>--%2</p>")
-      .arg(QString::fromUtf8(info.text).toHtmlEscaped(), QString::fromUtf8(info.key).replace('_', '-'));
-}
-
-QString caption(const ParamInfo& info) {
-  const QString label = QString::fromUtf8(info.label);
-  if (std::strlen(info.symbol) == 0) return label;
-  return QStringLiteral("%1  <b>%2</b>").arg(label, QString::fromUtf8(info.symbol));
+  return best;
 }
 
 }  // namespace
 
-int SliderScale::steps() const {
-  return logarithmic() || quadratic() ? 400 : std::clamp(static_cast<int>(std::lround((maximum - minimum) / step)), 1, 100000);
-}
-
-int SliderScale::position(double v) const {
-  v = std::clamp(v, minimum, maximum);
-  if (!(maximum > minimum)) return 0;
-  double share = (v - minimum) / (maximum - minimum);
-  if (logarithmic()) share = std::log(v / minimum) / std::log(maximum / minimum);
-  if (quadratic()) share = std::sqrt(share);
-  return static_cast<int>(std::lround(share * steps()));
-}
-
-double SliderScale::value(int position) const {
-  const double share = static_cast<double>(position) / steps();
-  const double even = minimum + (quadratic() ? share * share : share) * (maximum - minimum);
-  const double raw = logarithmic() ? minimum * std::pow(maximum / minimum, share) : even;
-  // Divided, not multiplied: 7 / 100 is the same number as the text "0.07", 7 · 0.01 is not.
-  const double parts = std::round(1 / step);
-  const bool decimal = parts >= 1 && std::abs(1 / step - parts) < 1e-6;
-  const double rounded = decimal ? std::round(raw * parts) / parts : std::round(raw / step) * step;
-  return std::clamp(rounded, minimum, maximum);
+int firstStageOf(const ParamInfo& info) {
+  const std::string_view stage = info.stage;
+  if (stage == "range") return static_cast<int>(Stage::Points);
+  if (stage == "height_map") return static_cast<int>(Stage::Cells);  // a map's cells are made just before it
+  for (int i = 0; i < kStageCount; ++i)
+    if (stage == stageName(static_cast<Stage>(i))) return i;
+  return -1;
 }
 
 ParamPanel::ParamPanel(QWidget* parent) : QWidget(parent) {
   auto* inner = new QWidget;
   auto* layout = new QVBoxLayout(inner);
-  layout->setContentsMargins(14, 6, 14, 12);
-  layout->setSpacing(4);
+  layout->setContentsMargins(14, 6, 10, 12);
+  layout->setSpacing(6);
 
   problem_ = new QLabel;
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
   problem_->hide();
+  problemEnds_.setSingleShot(true);
+  problemEnds_.setInterval(kProblemMs);
+  connect(&problemEnds_, &QTimer::timeout, problem_, &QWidget::hide);
 
   for (const ParamInfo& info : paramTable())
     if (info.basic) addRow(layout, info);
-  layout->addWidget(problem_);
 
   auto* buttons = new QHBoxLayout;
   fold_ = new QToolButton;
@@ -104,24 +89,25 @@ ParamPanel::ParamPanel(QWidget* parent) : QWidget(parent) {
   fold_->setArrowType(Qt::RightArrow);
   fold_->setCheckable(true);
   fold_->setAutoRaise(true);
-  auto* defaults = new QPushButton(tr("Defaults"));
+  auto* defaults = new QPushButton(tr("Reset all"));
   defaults->setObjectName("defaults");
   defaults->setToolTip(tr("Put every parameter back to its default"));
   buttons->addWidget(fold_);
   buttons->addStretch();
   buttons->addWidget(defaults);
-  layout->addSpacing(6);
+  layout->addSpacing(4);
   layout->addLayout(buttons);
 
   advanced_ = new QWidget;
   auto* more = new QVBoxLayout(advanced_);
   more->setContentsMargins(0, 0, 0, 0);
-  more->setSpacing(4);
+  more->setSpacing(6);
   QStringList stages;
   for (const ParamInfo& info : paramTable())
-    if (!info.basic && !stages.contains(QString::fromUtf8(info.stage))) stages << QString::fromUtf8(info.stage);
+    if (!info.basic && !stages.contains(QString::fromUtf8(info.stage)))
+      stages << QString::fromUtf8(info.stage);
   for (const QString& stage : stages) {
-    auto* label = new QLabel(stageTitle(stage));
+    auto* label = new QLabel(stageTitle(stage.toUtf8().constData()));
     label->setObjectName("groupTitle");
     more->addWidget(label);
     for (const ParamInfo& info : paramTable())
@@ -135,20 +121,35 @@ ParamPanel::ParamPanel(QWidget* parent) : QWidget(parent) {
   scroll->setWidget(inner);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addWidget(scroll);
-  setMinimumWidth(260);
+  explanation_ = new QLabel;
+  explanation_->setObjectName("explanation");
+  explanation_->setWordWrap(true);
+  explanation_->setTextFormat(Qt::RichText);
+  explanation_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  explanation_->setContentsMargins(14, 8, 10, 8);
+  // Always the same room, or the rows would jump under the mouse.
+  explanation_->setFixedHeight(fontMetrics().lineSpacing() * 7 + 20);
+  outer_ = new QVBoxLayout(this);
+  outer_->setContentsMargins(0, 0, 0, 0);
+  outer_->setSpacing(0);
+  outer_->addWidget(scroll, 1);
+  problem_->setContentsMargins(14, 6, 10, 6);
+  outer_->addWidget(problem_);
+  outer_->addWidget(explanation_);
+  // As wide as its widest row in whatever language: nothing scrolls sideways.
+  setMinimumWidth(std::max(270, inner->minimumSizeHint().width() + 18));
 
   connect(fold_, &QToolButton::toggled, this, [this](bool open) {
     fold_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     advanced_->setVisible(open);
   });
-  connect(defaults, &QPushButton::clicked, this, [this] {
-    setParams(PipelineParams{});
-    emit paramsChanged(params_);
-  });
+  connect(defaults, &QPushButton::clicked, this, &ParamPanel::resetAll);
+  explain(nullptr);
   showParams();
+}
+
+void ParamPanel::setHeader(QWidget* header) {
+  outer_->insertWidget(0, header);
 }
 
 void ParamPanel::setParams(const PipelineParams& params) {
@@ -157,95 +158,86 @@ void ParamPanel::setParams(const PipelineParams& params) {
   showParams();
 }
 
+QString ParamPanel::problemText() const {
+  return problem_->isHidden() ? QString() : problem_->text();
+}
+QString ParamPanel::explanation() const {
+  return explanation_->text();
+}
+
+void ParamPanel::resetAll() {
+  const PipelineParams before = params_;
+  if (before == PipelineParams{}) return;
+  setParams({});
+  emit edited({before, params_, tr("All parameters to their defaults"), {}, ++gesture_});
+}
+
 void ParamPanel::showParams() {
-  for (const auto& refresh : refresh_) refresh();
+  for (ParamRow* row : rows_) row->showValue(row->info().get(params_));
 }
 
-void ParamPanel::changed(const ParamInfo& info, double value) {
-  info.set(params_, value);
-  showParams();
-  const std::vector<std::string> problems = params_.validate();
-  QStringList lines;
-  for (const std::string& problem : problems) lines << QString::fromStdString(problem);
-  problem_->setText(lines.join('\n'));
-  problem_->setVisible(!problems.empty());
-  if (problems.empty()) emit paramsChanged(params_);
+void ParamPanel::showProblem(const QString& text) {
+  problem_->setText(text);
+  problem_->setVisible(!text.isEmpty());
+  if (!text.isEmpty()) problemEnds_.start();
 }
 
-void ParamPanel::addNumber(QVBoxLayout* layout, const ParamInfo& info) {
-  const SliderScale scale{info.minimum, info.maximum, info.step};
-  auto* slider = new QSlider(Qt::Horizontal);
-  slider->setObjectName(QStringLiteral("slider_") + info.key);
-  slider->setRange(0, scale.steps());
-  slider->setPageStep(std::max(1, scale.steps() / 20));
-  auto* spin = new QDoubleSpinBox;
-  spin->setObjectName(QStringLiteral("spin_") + info.key);
-  spin->setLocale(QLocale::c());
-  spin->setDecimals(info.kind == ParamKind::Integer ? 0 : decimalsOf(info.step));
-  spin->setRange(info.minimum, info.maximum);
-  spin->setSingleStep(info.step);
-  spin->setKeyboardTracking(false);
-  spin->setFixedWidth(94);
-  spin->setAlignment(Qt::AlignRight);
-  if (const QString unit = QString::fromUtf8(info.unit); !unit.isEmpty())
-    spin->setSuffix(unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
-  for (QWidget* w : {static_cast<QWidget*>(slider), static_cast<QWidget*>(spin)}) {
-    w->setToolTip(tooltip(info));
-    w->setAccessibleName(QString::fromUtf8(info.label));
-    w->setFocusPolicy(Qt::StrongFocus);
-    w->installEventFilter(new WheelGuard(w));
+void ParamPanel::change(const ParamInfo& info, double value) {
+  const PipelineParams before = params_;
+  PipelineParams after = params_;
+  info.set(after, value);
+  const QString problem = problemsOf(after);
+  if (!problem.isEmpty()) {
+    after = before;
+    info.set(after, nearestAllowed(before, info, value));
   }
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(slider, 1);
-  row->addWidget(spin);
-  layout->addLayout(row);
+  showProblem(problem);
+  params_ = after;
+  showParams();
+  if (after == before) return;
+  const QString key = QString::fromUtf8(info.key);
+  if (key != lastKey_) ++gesture_;
+  lastKey_ = key;
+  emit edited({before, after,
+               tr("%1 %2 → %3")
+                   .arg(tableText(info.label), paramValueText(info, info.get(before)),
+                        paramValueText(info, info.get(after))),
+               key, gesture_});
+}
 
-  connect(slider, &QSlider::valueChanged, this, [this, &info, scale](int p) { changed(info, scale.value(p)); });
-  connect(spin, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this, &info](double v) { changed(info, v); });
-  refresh_.push_back([this, &info, scale, slider, spin] {
-    const double value = info.get(params_);
-    const QSignalBlocker quietSlider(slider), quietSpin(spin);
-    // A slider under the hand keeps its place though several of its places mean one value.
-    if (scale.value(slider->value()) != value) slider->setValue(scale.position(value));
-    spin->setValue(value);
-  });
+void ParamPanel::explain(const ParamInfo* info) {
+  if (!info) {
+    explanation_->setText(
+        tr("Point at a parameter to read what raising it does, and which stages run again."));
+    emit stagePointedAt(-1);
+    return;
+  }
+  const int stage = firstStageOf(*info);
+  QString range;
+  if (info->kind == ParamKind::Real || info->kind == ParamKind::Integer)
+    range = tr("Default %1.").arg(paramValueText(*info, info->get(PipelineParams{})));
+  explanation_->setText(
+      QStringLiteral("<b>%1</b> %2<br>%3 %4 <span style='white-space:nowrap'>%5 --%6</span>")
+          .arg(tableText(info->label).toHtmlEscaped(), QString::fromUtf8(info->symbol),
+               tableText(info->text).toHtmlEscaped(), range,
+               tr("Acts from %1 on.")
+                   .arg(stage >= 0 ? tableText(stageLabel(static_cast<Stage>(stage))) : QString()),
+               QString::fromUtf8(info->key).replace('_', '-')));
+  emit stagePointedAt(stage);
 }
 
 void ParamPanel::addRow(QVBoxLayout* layout, const ParamInfo& info) {
-  if (info.kind == ParamKind::Flag) {
-    auto* box = new QCheckBox(QString::fromUtf8(info.label));
-    box->setObjectName(QStringLiteral("flag_") + info.key);
-    box->setToolTip(tooltip(info));
-    layout->addWidget(box);
-    connect(box, &QCheckBox::toggled, this, [this, &info](bool on) { changed(info, on ? 1 : 0); });
-    refresh_.push_back([this, &info, box] {
-      const QSignalBlocker quiet(box);
-      box->setChecked(info.get(params_) != 0);
-    });
-    return;
-  }
-  auto* label = new QLabel(caption(info));
-  label->setToolTip(tooltip(info));
-  layout->addWidget(label);
-  if (info.kind != ParamKind::Choice) {
-    addNumber(layout, info);
-    layout->addSpacing(4);
-    return;
-  }
-  auto* choice = new QComboBox;
-  choice->setObjectName(QStringLiteral("choice_") + info.key);
-  choice->setToolTip(tooltip(info));
-  choice->setFocusPolicy(Qt::StrongFocus);
-  choice->installEventFilter(new WheelGuard(choice));
-  for (const char* word : info.choices) choice->addItem(QString::fromUtf8(word));
-  layout->addWidget(choice);
-  layout->addSpacing(4);
-  connect(choice, qOverload<int>(&QComboBox::activated), this, [this, &info](int i) { changed(info, i); });
-  refresh_.push_back([this, &info, choice] {
-    const QSignalBlocker quiet(choice);
-    choice->setCurrentIndex(static_cast<int>(info.get(params_)));
+  auto* row = new ParamRow(info);
+  layout->addWidget(row);
+  rows_.push_back(row);
+  connect(row, &ParamRow::edited, this, [this, &info](double value) { change(info, value); });
+  connect(row, &ParamRow::editEnded, this, [this] { ++gesture_; });
+  connect(row, &ParamRow::resetRequested, this, [this, &info] {
+    ++gesture_;
+    change(info, info.get(PipelineParams{}));
+    ++gesture_;
   });
+  connect(row, &ParamRow::pointedAt, this, [this, &info](bool on) { explain(on ? &info : nullptr); });
 }
 
 }  // namespace stratascope

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
-#include <functional>
 #include <vector>
 
-#include "params/param_table.h"
+#include "widgets/param_row.h"
 
 class QLabel;
 class QToolButton;
@@ -14,45 +14,58 @@ class QVBoxLayout;
 
 namespace stratascope {
 
-/// One control a row of the parameter table: slider and spin box with unit for numbers, a list for choices, a box for flags;
-/// the table's sentence as tooltip. Advanced ones below a fold, by stage.
+/// A change of parameters made by hand.
+struct ParamEdit {
+  PipelineParams before, after;
+  QString text;     ///< "Height gap 0.1 m → 0.2 m"
+  QString key;      ///< of the parameter; empty for a preset or a reset of all
+  int gesture = 0;  ///< edits of one key with the same number are one drag, to be undone together
+};
+
+/// One row for each parameter of the table, by stage, the advanced ones below a fold; under them what the
+/// parameter pointed at does. Values that do not go together are not let in: the row stops at the last one
+/// that does, and the reason is shown.
 class ParamPanel : public QWidget {
   Q_OBJECT
- public:
+public:
   explicit ParamPanel(QWidget* parent = nullptr);
 
   const PipelineParams& params() const { return params_; }
   /// Shows them; does not emit.
   void setParams(const PipelineParams& params);
+  /// Over the rows; for the list of presets.
+  void setHeader(QWidget* header);
+  QString problemText() const;
+  QString explanation() const;
 
- signals:
+public slots:
+  void resetAll();
+
+signals:
   /// At every step of a slider; only with parameters that validate.
-  void paramsChanged(const PipelineParams& params);
+  void edited(const ParamEdit& edit);
+  /// The first stage the parameter under the mouse acts on; −1 = none.
+  void stagePointedAt(int stage);
 
- private:
+private:
   void addRow(QVBoxLayout* layout, const ParamInfo& info);
-  void addNumber(QVBoxLayout* layout, const ParamInfo& info);
-  void changed(const ParamInfo& info, double value);
+  void change(const ParamInfo& info, double value);
+  void explain(const ParamInfo* info);
   void showParams();
+  void showProblem(const QString& text);
 
   PipelineParams params_;
-  std::vector<std::function<void()>> refresh_;  ///< one a control: shows its value of params_
-  QLabel* problem_;
+  std::vector<ParamRow*> rows_;
+  QLabel *problem_, *explanation_;
   QToolButton* fold_;
   QWidget* advanced_;
+  QVBoxLayout* outer_;
+  QTimer problemEnds_;
+  int gesture_ = 0;
+  QString lastKey_;
 };
 
-/// Where a value stands on a slider of 0 … steps, and back, rounded to the parameter's step. Even steps; where the
-/// range is wide, finer ones at its lower end: even ratios, or even steps of the root if it begins at 0.
-struct SliderScale {
-  double minimum, maximum, step;
-  int steps() const;
-  int position(double value) const;
-  double value(int position) const;
-
- private:
-  bool logarithmic() const { return minimum > 0 && maximum / minimum > 50; }
-  bool quadratic() const { return minimum == 0 && maximum / step >= 200; }
-};
+/// First stage a parameter acts on, as a number of Stage.
+int firstStageOf(const ParamInfo& info);
 
 }  // namespace stratascope

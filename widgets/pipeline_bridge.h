@@ -4,6 +4,8 @@
 
 #include <QObject>
 #include <QString>
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -16,11 +18,21 @@
 
 namespace stratascope {
 
-/// Brings the worker's results into the window's thread. A snapshot is first turned into geometry on a thread of its own
-/// (newest wins there, too); the window hears of it when both are ready. All calls and signals: window thread.
+/// When the parts of a shown result were ready, for measuring.
+struct GeometryTimes {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point computed;    ///< the worker had finished
+  Clock::time_point buildBegan;  ///< the builder took it up
+  Clock::time_point built;       ///< and had its geometry ready
+  Clock::time_point taken;       ///< the window's thread heard of it
+};
+
+/// Brings the worker's results into the window's thread. A snapshot goes straight from the worker to a
+/// builder thread that turns it into geometry (newest wins there, too); the window's thread only hears of
+/// what is ready to be drawn, and never waits. All calls and signals belong to the window's thread.
 class PipelineBridge : public QObject {
   Q_OBJECT
- public:
+public:
   explicit PipelineBridge(QObject* parent = nullptr);
   ~PipelineBridge() override;
 
@@ -34,16 +46,19 @@ class PipelineBridge : public QObject {
   const std::vector<ScanPtr>& scans() const { return scans_; }
   /// The newest result on screen, or null.
   const ViewGeometryPtr& geometry() const { return geometry_; }
+  const GeometryTimes& times() const { return times_; }
   /// Something is being computed, built, or waits for it.
-  bool busy() const { return workerBusy_ || building_; }
+  bool busy() const;
 
- signals:
+signals:
   void geometryChanged();
   /// stage: −1 if none is running (waiting, or building pictures).
   void progressChanged(bool busy, int stage);
   void failed(const QString& message);
 
- private:
+private:
+  /// Takes what the worker has; called on both threads.
+  WorkerUpdate collect();
   void poll();
   void build();
   void takeGeometry();
@@ -52,21 +67,27 @@ class PipelineBridge : public QObject {
   PipelineParams params_;
   ViewOptions options_;
   std::vector<ScanPtr> scans_;
-  SnapshotPtr snapshot_;
   ViewGeometryPtr geometry_;
+  GeometryTimes times_;
   bool workerBusy_ = false;
   int stage_ = -1;
-  bool building_ = false;
+  std::atomic<bool> pollPosted_ = false;
 
   struct BuildRequest {
     SnapshotPtr snapshot;
     ViewOptions options;
+    GeometryTimes::Clock::time_point computed;
   };
-  std::mutex mutex_;  ///< guards the three below
+  std::mutex collecting_;     ///< results keep their order
+  mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable_any wake_;
+  SnapshotPtr snapshot_;
+  ViewOptions buildOptions_;
+  GeometryTimes::Clock::time_point computed_;
   std::optional<BuildRequest> request_;
   ViewGeometryPtr built_;
-  std::optional<QString> buildError_;
+  GeometryTimes builtTimes_;
+  std::optional<QString> error_;
   bool builderActive_ = false;
 
   // Last, so that both threads have ended before anything they touch is gone.

@@ -3,6 +3,7 @@
 #include "widgets/probe_panel.h"
 
 #include <QEvent>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -10,6 +11,8 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "widgets/column_view.h"
+#include "widgets/point_explanation.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
 
@@ -20,12 +23,14 @@ QString swatch(Rgb c) {
   return QStringLiteral("<span style='color:%1'>■</span>&nbsp;").arg(QColor(c.r, c.g, c.b).name());
 }
 
-QString classHtml(SurfaceClass c) { return swatch(classColour(c)) + QObject::tr(className(c)); }
+QString classHtml(SurfaceClass c) {
+  return swatch(classColour(c)) + tableText(className(c));
+}
 
-QString planeLink(const Snapshot& snapshot, PlaneLabel label) {
+QString planeLink(const ViewGeometry& g, PlaneLabel label) {
   if (label == kNoPlane) return QObject::tr("none");
-  const Plane* plane = snapshot.plane(label);
-  QString name = QObject::tr("plane %1").arg(planeNumber(snapshot, label));
+  const Plane* plane = g.snapshot->plane(label);
+  QString name = QObject::tr("plane %1").arg(g.numbers.of(label));
   if (plane && !plane->role.empty()) name += QStringLiteral(" (%1)").arg(QString::fromStdString(plane->role));
   return QStringLiteral("<a href='plane:%1'>%2</a>").arg(label).arg(name);
 }
@@ -42,17 +47,20 @@ QString vectorText(const Eigen::Vector3d& v, int digits = 3) {
 
 /// Heading and rows of two columns.
 class Page {
- public:
+public:
   Page(QString muted, QString title) : muted_(std::move(muted)) {
-    html_ = QStringLiteral("<p style='font-weight:600; margin-bottom:6px'>%1</p><table cellspacing='0' cellpadding='2'>").arg(title);
+    html_ = QStringLiteral(
+                "<p style='font-weight:600; margin-bottom:6px'>%1</p><table cellspacing='0' cellpadding='2'>")
+                .arg(title);
   }
   void row(const QString& name, const QString& value) {
-    html_ += QStringLiteral("<tr><td style='color:%1; padding-right:12px'>%2</td><td>%3</td></tr>").arg(muted_, name, value);
+    html_ += QStringLiteral("<tr><td style='color:%1; padding-right:12px'>%2</td><td>%3</td></tr>")
+                 .arg(muted_, name, value);
   }
   void after(const QString& html) { after_ += html; }
   QString html() const { return html_ + QStringLiteral("</table>") + after_; }
 
- private:
+private:
   QString muted_, html_, after_;
 };
 
@@ -60,12 +68,48 @@ QString cellLink(CellIndex c) {
   return QStringLiteral("<a href='cell:%1,%2'>k %1, l %2</a>").arg(c.k).arg(c.l);
 }
 
-QString pointHtml(const Snapshot& s, PointRef p, const QString& muted) {
+void explain(Page& page, const PointExplanation& e, const Snapshot& s, const QString& muted) {
+  const auto swatched = [](Rgb c, const QString& text) { return swatch(c) + text; };
+  page.row(QObject::tr("Why"), e.rule);
+  page.row(QObject::tr("Taken"), swatched(kTakenColour, QObject::tr("%1 from %2 to %3")
+                                                            .arg(countText(e.taken.size()),
+                                                                 metresText(s.params.normals.epsilon2, 2),
+                                                                 metresText(s.params.normals.epsilon1, 2))));
+  page.row(QObject::tr("Refused"),
+           swatched(kNearColour, QObject::tr("%1 too near").arg(countText(e.tooNear.size()))) +
+               QStringLiteral("<br>") +
+               swatched(kFarColour, QObject::tr("%1 too far").arg(countText(e.tooFar.size()))));
+  const auto vector = [](const std::optional<Eigen::Vector3d>& v) {
+    return v ? vectorText(*v) : QObject::tr("none");
+  };
+  page.row(QStringLiteral("p1"), vector(e.p1));
+  page.row(QStringLiteral("p2"), vector(e.p2));
+  page.row(QStringLiteral("p1 × p2"), vector(e.product));
+  if (e.product && e.normal) page.row(QObject::tr("Off the normal"), degreesText(e.productAngle));
+  QString sides;
+  for (const auto& neighbour : e.neighbours) {
+    const bool parallel = neighbour.angle && *neighbour.angle <= s.params.classes.angleToleranceDeg;
+    sides += QStringLiteral(
+                 "<tr><td style='color:%1; padding-right:12px'>%2</td><td align='right'>%3</td><td>&nbsp; "
+                 "%4</td></tr>")
+                 .arg(muted, tableText(neighbour.side),
+                      neighbour.angle ? degreesText(*neighbour.angle) : QStringLiteral("–"),
+                      neighbour.angle ? (parallel ? QObject::tr("parallel") : QObject::tr("not parallel"))
+                                      : QObject::tr("no normal"));
+  }
+  page.after(QStringLiteral("<p style='margin-top:8px; margin-bottom:2px; font-weight:600'>%1</p><table "
+                            "cellpadding='2'>%2</table>")
+                 .arg(QObject::tr("Neighbouring normals"), sides));
+}
+
+QString pointHtml(const ViewGeometry& g, PointRef p, const QString& muted) {
+  const Snapshot& s = *g.snapshot;
   const ScanProducts& scan = s.scans[static_cast<size_t>(p.scan)];
   const Eigen::Vector3d position = positionOf(s, p).cast<double>();
   const auto neuron = neuronOf(s, p);
   Page page(muted, QObject::tr("Point"));
-  if (s.scans.size() > 1 && scan.scan) page.row(QObject::tr("Scan"), QString::fromStdString(scan.scan->name).toHtmlEscaped());
+  if (s.scans.size() > 1 && scan.scan)
+    page.row(QObject::tr("Scan"), QString::fromStdString(scan.scan->name).toHtmlEscaped());
   if (scan.cloud) page.row(QObject::tr("Number in file"), countText(p.offset));
   if (neuron) {
     page.row(QObject::tr("Line"), QString::number(neuron->row));
@@ -77,22 +121,26 @@ QString pointHtml(const Snapshot& s, PointRef p, const QString& muted) {
   if (scan.points) page.row(QObject::tr("Range"), metresText((position - scan.points->sensor).norm()));
   if (neuron && scan.normals) {
     page.row(QObject::tr("Normal"), vectorText(scan.normals->normals(*neuron).cast<double>()));
-    page.row(QObject::tr("Reach"), metresText(scan.normals->reach.empty() ? kNaN : scan.normals->reach(*neuron)));
+    page.row(QObject::tr("Reach"),
+             metresText(scan.normals->reach.empty() ? kNaN : scan.normals->reach(*neuron)));
   }
   page.row(QObject::tr("Class"), classHtml(classOf(s, p)));
   const PlaneLabel label = labelOf(s, p);
-  page.row(QObject::tr("Plane"), planeLink(s, label));
+  page.row(QObject::tr("Plane"), planeLink(g, label));
   if (const Plane* plane = label == kNoPlane ? nullptr : s.plane(label))
     page.row(QObject::tr("Off the plane"), metresText(plane->normal.dot(position) - plane->offset, 4));
   if (s.cells) page.row(QObject::tr("Cell"), cellLink(s.cells->frame.cellAt(position.x(), position.y())));
+  if (const auto why = explainPoint(s, p)) explain(page, *why, s, muted);
   return page.html();
 }
 
-QString cellHtml(const Snapshot& s, CellIndex c, const QString& muted) {
+QString cellHtml(const ViewGeometry& g, CellIndex c, const QString& muted) {
+  const Snapshot& s = *g.snapshot;
   const MapFrame& frame = s.cells->frame;
   const Eigen::Vector2d centre = frame.centre(c);
   Page page(muted, QObject::tr("Cell k %1, l %2").arg(c.k).arg(c.l));
-  page.row(QObject::tr("Centre x, y"), vectorText({centre.x(), centre.y(), 0}).section(QStringLiteral(",&nbsp; "), 0, 1));
+  page.row(QObject::tr("Centre x, y"),
+           vectorText({centre.x(), centre.y(), 0}).section(QStringLiteral(",&nbsp; "), 0, 1));
   if (s.heightMap && frame.contains(c))
     page.row(QObject::tr("2.5D height"), metresText(s.heightMap->height[frame.offset(c)]));
   if (!s.intervalMap) return page.html();
@@ -108,19 +156,35 @@ QString cellHtml(const Snapshot& s, CellIndex c, const QString& muted) {
   for (size_t i = records.size(); i-- > 0;) {  // highest on top, as in the picture
     QStringList planes;
     if (s.objectMap)
-      for (PlaneLabel label : s.objectMap->objects(first + i)) planes << planeLink(s, label);
-    table += QStringLiteral("<tr><td align='right'>%1</td><td align='right'>%2</td><td align='right'>%3</td><td>%4</td></tr>")
-                 .arg(metresText(records[i].min), metresText(records[i].max), countText(records[i].points),
-                      planes.isEmpty() ? QStringLiteral("–") : planes.join(QStringLiteral("<br>")));
+      for (PlaneLabel label : s.objectMap->objects(first + i)) planes << planeLink(g, label);
+    table +=
+        QStringLiteral(
+            "<tr><td align='right'>%1</td><td align='right'>%2</td><td align='right'>%3</td><td>%4</td></tr>")
+            .arg(metresText(records[i].min), metresText(records[i].max), countText(records[i].points),
+                 planes.isEmpty() ? QStringLiteral("–") : planes.join(QStringLiteral("<br>")));
   }
   page.after(table + QStringLiteral("</table>"));
   return page.html();
 }
 
-QString planeHtml(const Snapshot& s, PlaneLabel label, const QString& muted) {
+QString equationText(const Plane& plane) {
+  QString text;
+  for (int i = 0; i < 3; ++i) {
+    const double v = plane.normal[i];
+    const QString sign = v < 0 ? QStringLiteral("−") : i ? QStringLiteral("+") : QString();
+    text += QStringLiteral("%1%2&nbsp;%3 ")
+                .arg(sign, QString::number(std::abs(v), 'f', 3), QString(QChar("xyz"[i])));
+  }
+  return text + QStringLiteral("= ") + metresText(plane.offset);
+}
+
+QString planeHtml(const ViewGeometry& g, PlaneLabel label, const QString& muted) {
+  const Snapshot& s = *g.snapshot;
   const Plane* plane = s.plane(label);
-  if (!plane) return QStringLiteral("<p>%1</p>").arg(QObject::tr("This plane is not found with the present parameters."));
-  Page page(muted, QObject::tr("Plane %1").arg(planeNumber(s, label)));
+  if (!plane)
+    return QStringLiteral("<p>%1</p>")
+        .arg(QObject::tr("This plane is not found with the present parameters."));
+  Page page(muted, QObject::tr("Plane %1").arg(g.numbers.of(label)));
   page.row(QObject::tr("Label"), QString::number(label));
   page.row(QObject::tr("Class"), classHtml(plane->surfaceClass));
   if (!plane->role.empty()) page.row(QObject::tr("Role"), QString::fromStdString(plane->role));
@@ -128,12 +192,15 @@ QString planeHtml(const Snapshot& s, PlaneLabel label, const QString& muted) {
   page.row(QObject::tr("Area"), QStringLiteral("%1 m²").arg(plane->area, 0, 'f', 2));
   page.row(QObject::tr("Normal"), vectorText(plane->normal));
   page.row(QObject::tr("Offset"), metresText(plane->offset));
-  page.row(QObject::tr("Tilt"), degreesText(radToDeg(std::acos(std::clamp(std::abs(plane->normal.z()), 0.0, 1.0)))));
+  page.row(QObject::tr("Equation"), equationText(*plane));
+  page.row(QObject::tr("Tilt"),
+           degreesText(radToDeg(std::acos(std::clamp(std::abs(plane->normal.z()), 0.0, 1.0)))));
   page.row(QObject::tr("σ (10)"), metresText(plane->sigma, 4));
   page.row(QObject::tr("rms"), metresText(plane->rms, 4));
   page.row(QObject::tr("Centroid"), vectorText(plane->centroid));
   if (s.objectMap)
-    if (const ObjectMap::Cells* cells = s.objectMap->find(label)) page.row(QObject::tr("Cells"), countText(cells->cells.size()));
+    if (const ObjectMap::Cells* cells = s.objectMap->find(label))
+      page.row(QObject::tr("Cells"), countText(cells->cells.size()));
   return page.html();
 }
 
@@ -145,7 +212,8 @@ QString scansHtml(const Snapshot& s, const QString& muted) {
     Page page(muted, QString::fromStdString(scan.name).toHtmlEscaped());
     page.row(QObject::tr("Format"), QString::fromStdString(scan.format).toHtmlEscaped());
     if (scan.lattice) {
-      page.row(QObject::tr("Lattice"), QObject::tr("%1 lines × %2 beams").arg(scan.lattice->lines()).arg(scan.lattice->beams()));
+      page.row(QObject::tr("Lattice"),
+               QObject::tr("%1 lines × %2 beams").arg(scan.lattice->lines()).arg(scan.lattice->beams()));
       page.row(QObject::tr("Missing returns"), countText(scan.lattice->missingCount()));
     }
     if (scan.unordered()) page.row(QObject::tr("Points in the file"), countText(scan.cloud.size()));
@@ -154,10 +222,12 @@ QString scansHtml(const Snapshot& s, const QString& muted) {
       page.row(QObject::tr("Range noise"), metresText(products.normals->noise.overall(), 4));
     if (products.planes) page.row(QObject::tr("Planes"), countText(products.planes->planes.size()));
     for (const std::string& note : scan.notes)
-      page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>").arg(muted, QString::fromStdString(note).toHtmlEscaped()));
+      page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>")
+                     .arg(muted, QString::fromStdString(note).toHtmlEscaped()));
     if (products.planes)
       for (const std::string& note : products.planes->notes)
-        page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>").arg(muted, QString::fromStdString(note).toHtmlEscaped()));
+        page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>")
+                       .arg(muted, QString::fromStdString(note).toHtmlEscaped()));
     html += page.html();
   }
   return html;
@@ -172,7 +242,14 @@ ProbePanel::ProbePanel(Selection& selection, QWidget* parent) : QWidget(parent),
   text_->document()->setDocumentMargin(12);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(text_);
+  layout->setSpacing(0);
+  layout->addWidget(text_, 1);
+  column_ = new ColumnView;
+  residuals_ = new ResidualView;
+  for (QWidget* picture : {static_cast<QWidget*>(column_), static_cast<QWidget*>(residuals_)}) {
+    picture->hide();
+    layout->addWidget(picture, 1);
+  }
   connect(text_, &QTextBrowser::anchorClicked, this, &ProbePanel::followLink);
   connect(&selection_, &Selection::changed, this, &ProbePanel::refresh);
   refresh();
@@ -183,24 +260,38 @@ void ProbePanel::setGeometry(const ViewGeometryPtr& geometry) {
   refresh();
 }
 
-QString ProbePanel::plainText() const { return text_->toPlainText(); }
+QString ProbePanel::plainText() const {
+  return text_->toPlainText();
+}
 
 void ProbePanel::refresh() {
   const QString muted = mutedText(palette()).name();
   const Selected& selected = selection_.get();
   QString html = QStringLiteral("<p style='color:%1'>%2</p>")
-                     .arg(muted, tr("Click a point in the cloud, a cell in a map, or a plane in the list: it lights up everywhere."));
+                     .arg(muted, tr("Click a point in the cloud, a cell in a map, or a plane in the list: it "
+                                    "lights up everywhere."));
   if (geometry_) {
     const Snapshot& s = *geometry_->snapshot;
     if (std::holds_alternative<std::monostate>(selected)) html += scansHtml(s, muted);
     if (const auto* point = std::get_if<PointRef>(&selected))
-      html = pointHtml(s, *point, muted);
+      html = pointHtml(*geometry_, *point, muted);
     else if (const auto* cell = std::get_if<CellIndex>(&selected); cell && s.cells)
-      html = cellHtml(s, *cell, muted);
+      html = cellHtml(*geometry_, *cell, muted);
     else if (const auto* label = std::get_if<PlaneLabel>(&selected))
-      html = planeHtml(s, *label, muted);
+      html = planeHtml(*geometry_, *label, muted);
   }
-  text_->setHtml(html);
+  const auto* cell = std::get_if<CellIndex>(&selected);
+  const auto* label = std::get_if<PlaneLabel>(&selected);
+  const Plane* plane = geometry_ && label ? geometry_->snapshot->plane(*label) : nullptr;
+  column_->setVisible(geometry_ && cell);
+  residuals_->setVisible(plane);
+  if (geometry_ && cell) column_->setCell(*geometry_->snapshot, *cell);
+  if (plane) residuals_->setPlane(*geometry_->snapshot, *plane);
+  // Values that change while a slider moves are read where they stand: the page keeps its place.
+  const int place = text_->verticalScrollBar()->value();
+  if (html != shown_) text_->setHtml(html);
+  shown_ = html;
+  text_->verticalScrollBar()->setValue(place);
 }
 
 void ProbePanel::followLink(const QUrl& url) {

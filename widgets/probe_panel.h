@@ -12,24 +12,31 @@ class QUrl;
 
 namespace stratascope {
 
-/// Says everything that is known about the selected point, cell or plane. Planes and cells in it are links that select.
+class ColumnView;
+class ResidualView;
+
+/// Says everything that is known about the selected point, cell or plane. Planes and cells in it are links
+/// that select.
 class ProbePanel : public QWidget {
   Q_OBJECT
- public:
+public:
   explicit ProbePanel(Selection& selection, QWidget* parent = nullptr);
   void setGeometry(const ViewGeometryPtr& geometry);
   QString plainText() const;
 
- protected:
+protected:
   void changeEvent(QEvent* event) override;
 
- private:
+private:
   void refresh();
   void followLink(const QUrl& url);
 
   Selection& selection_;
   ViewGeometryPtr geometry_;
   QTextBrowser* text_;
+  ColumnView* column_;
+  ResidualView* residuals_;
+  QString shown_;
 };
 
 }  // namespace stratascope

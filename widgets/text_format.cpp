@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/text_format.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 
@@ -18,10 +19,17 @@ QString number(double value, int digits, const char* unit) {
 QString countText(size_t count) {
   return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(count));
 }
-QString metresText(double metres, int digits) { return number(metres, digits, " m"); }
-QString degreesText(double degrees, int digits) { return number(degrees, digits, "°"); }
+QString metresText(double metres, int digits) {
+  return number(metres, digits, " m");
+}
+QString degreesText(double degrees, int digits) {
+  return number(degrees, digits, "°");
+}
 QString secondsText(double seconds) {
   return seconds < 1 ? number(seconds * 1000, seconds < 0.01 ? 1 : 0, " ms") : number(seconds, 2, " s");
+}
+QString tableText(const char* text) {
+  return QCoreApplication::translate("Core", text);
 }
 
 }  // namespace stratascope

@@ -11,5 +11,7 @@ QString countText(size_t count);
 QString metresText(double metres, int digits = 3);
 QString degreesText(double degrees, int digits = 1);
 QString secondsText(double seconds);
+/// A word or sentence of core's tables (labels of parameters, stages, classes) in the user's language.
+QString tableText(const char* text);
 
 }  // namespace stratascope

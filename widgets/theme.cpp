@@ -55,6 +55,7 @@ QString styleSheetFor(const QPalette& p) {
     QToolTip { border: 1px solid @line; padding: 5px; }
     QMainWindow::separator { background: @line; width: 1px; height: 1px; }
     QToolBar { border: none; border-bottom: 1px solid @line; padding: 4px 8px; spacing: 4px; }
+    QToolBar#stageBar { border-bottom: none; border-top: 1px solid @line; padding: 0px; }
     QToolBar::separator { background: @line; width: 1px; margin: 5px 6px; }
     QToolBar QToolButton { padding: 4px 6px; }
     QMenuBar { border-bottom: 1px solid @line; }
@@ -67,6 +68,7 @@ QString styleSheetFor(const QPalette& p) {
     QLabel#viewTitle { font-weight: 600; }
     QLabel#viewSubtitle, QLabel#muted { color: @muted; }
     QLabel#problem { color: #d64545; }
+    QLabel#explanation { color: @muted; border-top: 1px solid @line; background: @panel; }
     QLabel#groupTitle { font-weight: 600; color: @muted; padding-top: 8px; }
     QSplitter::handle { background: transparent; }
     QFrame#messageBar { background: #b3363b; border: none; }
@@ -106,10 +108,18 @@ void setIcon(Item* item, const QString& name) {
 
 }  // namespace
 
-bool isDark(const QPalette& p) { return p.color(QPalette::Window).lightness() < 128; }
-QColor canvasColour(const QPalette& p) { return QColor(isDark(p) ? "#16191d" : "#ffffff"); }
-QColor mutedText(const QPalette& p) { return QColor(isDark(p) ? "#98a2b0" : "#656d78"); }
-QColor lineColour(const QPalette& p) { return QColor(isDark(p) ? "#383f4a" : "#d9dce1"); }
+bool isDark(const QPalette& p) {
+  return p.color(QPalette::Window).lightness() < 128;
+}
+QColor canvasColour(const QPalette& p) {
+  return QColor(isDark(p) ? "#16191d" : "#ffffff");
+}
+QColor mutedText(const QPalette& p) {
+  return QColor(isDark(p) ? "#98a2b0" : "#656d78");
+}
+QColor lineColour(const QPalette& p) {
+  return QColor(isDark(p) ? "#383f4a" : "#d9dce1");
+}
 
 QIcon themedIcon(const QString& name) {
   QFile file(":/icons/" + name + ".svg");
@@ -124,8 +134,12 @@ QIcon themedIcon(const QString& name) {
   return icon;
 }
 
-void setThemedIcon(QAction* action, const QString& name) { setIcon(action, name); }
-void setThemedIcon(QAbstractButton* button, const QString& name) { setIcon(button, name); }
+void setThemedIcon(QAction* action, const QString& name) {
+  setIcon(action, name);
+}
+void setThemedIcon(QAbstractButton* button, const QString& name) {
+  setIcon(button, name);
+}
 
 void applyTheme(Theme theme) {
   static const bool systemDark = isDark(QApplication::palette());
@@ -139,9 +153,11 @@ void applyTheme(Theme theme) {
   qApp->setStyleSheet(styleSheetFor(p));
   for (QWidget* top : QApplication::topLevelWidgets()) {
     for (auto* button : top->findChildren<QAbstractButton*>())
-      if (button->property(kIconName).isValid()) button->setIcon(themedIcon(button->property(kIconName).toString()));
+      if (button->property(kIconName).isValid())
+        button->setIcon(themedIcon(button->property(kIconName).toString()));
     for (auto* action : top->findChildren<QAction*>())
-      if (action->property(kIconName).isValid()) action->setIcon(themedIcon(action->property(kIconName).toString()));
+      if (action->property(kIconName).isValid())
+        action->setIcon(themedIcon(action->property(kIconName).toString()));
   }
 }
 

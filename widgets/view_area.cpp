@@ -7,7 +7,7 @@
 
 namespace stratascope {
 
-ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent) {
+ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
   cloud_ = new CloudView(selection);
   columns_ = new MapView(MapView::Kind::Columns, selection);
   boxes_ = new MapView(MapView::Kind::Boxes, selection);
@@ -32,6 +32,7 @@ ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent) {
 
   for (VtkView* view : views_) {
     connect(view, &VtkView::maximiseToggled, this, [this, view] { toggleMaximised(view); });
+    connect(view, &VtkView::hoverText, this, &ViewArea::hoverText);
     connect(view, &VtkView::cameraMoved, this, [this, view] { follow(view); });
   }
 }
@@ -51,6 +52,37 @@ void ViewArea::look(ViewDirection direction) {
 void ViewArea::setLinked(bool linked) {
   linked_ = linked;
   if (linked) follow(cloud_);
+}
+
+void ViewArea::setPerspective(bool perspective) {
+  for (VtkView* view : views_) view->setPerspective(perspective);
+}
+
+void ViewArea::setGrid(bool visible) {
+  cloud_->setGrid(visible);
+  columns_->setGrid(visible);
+  boxes_->setGrid(visible);
+}
+
+void ViewArea::fit() {
+  if (!geometry_) return;
+  for (VtkView* view : views_) view->fit(geometry_->bounds);
+}
+
+void ViewArea::orbitSelection() {
+  if (!geometry_) return;
+  const Snapshot& s = *geometry_->snapshot;
+  Eigen::Vector3d about = geometry_->bounds.center();
+  if (const auto* point = std::get_if<PointRef>(&selection_.get())) {
+    about = positionOf(s, *point).cast<double>();
+  } else if (const auto* cell = std::get_if<CellIndex>(&selection_.get()); cell && s.cells) {
+    const Eigen::Vector2d c = s.cells->frame.centre(*cell);
+    const auto records = s.intervalMap ? s.intervalMap->cell(*cell) : std::span<const HeightInterval>{};
+    about = {c.x(), c.y(), records.empty() ? about.z() : records.front().max};
+  } else if (const auto* label = std::get_if<PlaneLabel>(&selection_.get())) {
+    if (const Plane* plane = s.plane(*label)) about = plane->centroid;
+  }
+  for (VtkView* view : views_) view->orbitAbout(about);
 }
 
 void ViewArea::renderNow() {

@@ -15,13 +15,21 @@ namespace stratascope {
 /// The three linked views: the cloud above, both maps below it side by side.
 class ViewArea : public QWidget {
   Q_OBJECT
- public:
+public:
   explicit ViewArea(Selection& selection, QWidget* parent = nullptr);
 
   void setGeometry(const ViewGeometryPtr& geometry);
   /// Fits all three views.
   void look(ViewDirection direction);
   void setLinked(bool linked);
+  void setPerspective(bool perspective);
+  void setGrid(bool visible);
+  /// All data in all views, seen from where they are seen now.
+  void fit();
+  /// Turn about what is selected from now on.
+  void orbitSelection();
+  void toggleMaximised(VtkView* view);
+  bool maximised() const { return maximised_ != nullptr; }
   bool linked() const { return linked_; }
   /// Draws now, without waiting for the event loop.
   void renderNow();
@@ -30,8 +38,11 @@ class ViewArea : public QWidget {
   MapView* columns() const { return columns_; }
   MapView* boxes() const { return boxes_; }
 
- private:
-  void toggleMaximised(VtkView* view);
+signals:
+  /// What is under the pointer, in any of the views; empty where nothing is.
+  void hoverText(const QString& text);
+
+private:
   void follow(VtkView* leader);
 
   CloudView* cloud_;
@@ -40,6 +51,7 @@ class ViewArea : public QWidget {
   std::array<VtkView*, 3> views_;
   QSplitter* rows_;
   QSplitter* maps_;
+  Selection& selection_;
   ViewGeometryPtr geometry_;
   VtkView* maximised_ = nullptr;
   bool linked_ = true;

@@ -12,8 +12,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A ceiling hides the room from above; the cut goes this far below its lowest part.
 constexpr double kBelowCeiling = 0.15;
-// A "ceiling" plane smaller than these shares of the largest one, and of the ground the map covers, is a shelf's underside
-// or the like.
+// A "ceiling" plane smaller than these shares of the largest one, and of the ground the map covers, is a
+// shelf's underside or the like.
 constexpr double kCeilingShare = 0.2, kGroundShare = 0.05;
 
 bool samePoints(const Snapshot& a, const Snapshot& b) {
@@ -22,9 +22,14 @@ bool samePoints(const Snapshot& a, const Snapshot& b) {
   });
 }
 
+bool samePlanes(const Snapshot& a, const Snapshot& b) {
+  return std::ranges::equal(a.scans, b.scans, {}, &ScanProducts::planes, &ScanProducts::planes);
+}
+
 bool sameColours(const Snapshot& a, const Snapshot& b) {
   return std::ranges::equal(a.scans, b.scans, [](const ScanProducts& x, const ScanProducts& y) {
-    return x.classes == y.classes && x.planes == y.planes && x.cloudLabels == y.cloudLabels;
+    return x.classes == y.classes && x.normals == y.normals && x.planes == y.planes &&
+           x.cloudLabels == y.cloudLabels;
   });
 }
 
@@ -49,7 +54,8 @@ std::shared_ptr<const CloudGeometry> gatherCloud(const Snapshot& snapshot) {
 }
 
 double quantile(std::vector<float>& values, double share) {
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
@@ -69,7 +75,8 @@ double automaticCut(const Snapshot& snapshot) {
   };
   eachCeiling([&](const Plane& p) { largest = std::max(largest, p.area); });
   eachCeiling([&](const Plane& p) {
-    if (p.area >= kCeilingShare * largest && p.area >= kGroundShare * ground) cut = std::min(cut, p.centroid.z() - kBelowCeiling);
+    if (p.area >= kCeilingShare * largest && p.area >= kGroundShare * ground)
+      cut = std::min(cut, p.centroid.z() - kBelowCeiling);
   });
   return cut;
 }
@@ -89,7 +96,7 @@ void measureExtent(ViewGeometry& g) {
   if (axes[0].empty()) {
     if (points.empty()) g.lowest = 0, g.highest = 1;
     g.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, 1, 1));
-    g.scale = {g.lowest, std::max(g.highest, g.lowest + 0.1)};
+    g.heights = {g.lowest, std::max(g.highest, g.lowest + 0.1)};
     return;
   }
   Eigen::Vector3d low, high;
@@ -112,28 +119,126 @@ void measureExtent(ViewGeometry& g) {
     }
   }
   g.bounds = Eigen::AlignedBox3d(low, high);
-  g.scale = {quantile(axes[2], 0.005), quantile(axes[2], 0.995)};
-  if (g.scale.high - g.scale.low < 0.1) g.scale.high = g.scale.low + 0.1;
+  g.heights = {quantile(axes[2], 0.005), quantile(axes[2], 0.995)};
+  if (g.heights.high - g.heights.low < 0.1) g.heights.high = g.heights.low + 0.1;
 }
 
-std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(const ViewGeometry& g,
+/// Numbers that stay with their planes from one result of the same points to the next.
+DisplayNumbers numberPlanes(const Snapshot& now, const ViewGeometry* old) {
+  std::vector<const Plane*> planes;
+  for (const ScanProducts& scan : now.scans)
+    if (scan.planes)
+      for (const Plane& plane : scan.planes->planes) planes.push_back(&plane);
+  std::ranges::stable_sort(planes, [](const Plane* a, const Plane* b) { return a->points > b->points; });
+  std::vector<PlaneLabel> labels;
+  for (const Plane* plane : planes) labels.push_back(plane->label);
+  if (!old || old->numbers.numbers.empty()) return firstNumbers(labels);
+  std::vector<std::span<const PlaneLabel>> before, after;
+  for (size_t s = 0; s < now.scans.size(); ++s) {
+    if (!now.scans[s].planes || !old->snapshot->scans[s].planes) continue;
+    before.push_back(old->snapshot->scans[s].planes->labels.values());
+    after.push_back(now.scans[s].planes->labels.values());
+  }
+  return followNumbers(before, old->numbers, after, labels);
+}
+
+Eigen::Vector3f normalOf(const Snapshot& snapshot, PointRef p) {
+  const ScanProducts& scan = snapshot.scans[static_cast<size_t>(p.scan)];
+  const auto neuron = neuronOf(snapshot, p);
+  return scan.normals && neuron ? scan.normals->normals(*neuron) : Eigen::Vector3f::Constant(std::nanf(""));
+}
+
+std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(ViewGeometry& g,
                                                              std::array<size_t, kSurfaceClassCount>& counts) {
   auto rgb = std::make_shared<std::vector<std::uint8_t>>();
   rgb->reserve(3 * g.cloud->source.size());
   counts.fill(0);
+  const ViewOptions& options = g.options;
+  const std::vector<float> values = cloudValues(*g.snapshot, *g.cloud, options.colouring);
+  if (!values.empty()) {
+    if (options.cloudRange)
+      g.cloudScale = {options.cloudRange->first, options.cloudRange->second, options.colourMap};
+    else if (options.colouring == CloudColouring::Height)
+      g.cloudScale = {g.heights.low, g.heights.high, options.colourMap};
+    else
+      g.cloudScale = robustScale(values, leastSpan(options.colouring), options.colourMap);
+  }
   for (size_t i = 0; i < g.cloud->source.size(); ++i) {
     const PointRef ref = g.cloud->source[i];
     const SurfaceClass surface = classOf(*g.snapshot, ref);
     ++counts[static_cast<size_t>(surface)];
     Rgb c;
     switch (g.options.colouring) {
-      case CloudColouring::SurfaceClass: c = classColour(surface); break;
-      case CloudColouring::Plane: c = planeColour(labelOf(*g.snapshot, ref)); break;
-      case CloudColouring::Height: c = heightColour(g.scale.fraction(g.cloud->positions[i].z())); break;
+      case CloudColouring::SurfaceClass:
+        c = classColour(surface);
+        break;
+      case CloudColouring::Plane:
+        c = planeColour(g.numbers.of(labelOf(*g.snapshot, ref)));
+        break;
+      case CloudColouring::Direction:
+        c = directionColour(normalOf(*g.snapshot, ref));
+        break;
+      default:
+        c = g.cloudScale.colour(values[i]);
     }
     rgb->insert(rgb->end(), {c.r, c.g, c.b});
   }
   return rgb;
+}
+
+void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
+  const Snapshot& snapshot = *g.snapshot;
+  const ViewOptions& options = g.options;
+  if (!snapshot.cells || !snapshot.intervalMap) return;
+  const bool byRecords = options.mapColouring != MapColouring::Height;
+  const bool sameIntervals = old && snapshot.intervalMap == old->snapshot->intervalMap;
+  const bool lookStands =
+      heightsStand && g.cut == old->cut && options.mapColouring == old->options.mapColouring &&
+      options.colourMap == old->options.colourMap && options.mapRange == old->options.mapRange;
+  const bool columnsStand =
+      lookStands && old->columns && snapshot.cells == old->snapshot->cells && (!byRecords || sameIntervals);
+  const bool boxesStand = lookStands && old->boxes && sameIntervals;
+
+  std::vector<float> ofRecords, ofCells;
+  if (columnsStand && boxesStand) {
+    g.mapScale = old->mapScale;
+  } else {
+    ofRecords = recordValues(*snapshot.intervalMap, options.mapColouring);
+    ofCells = cellValues(*snapshot.intervalMap, ofRecords);
+    if (options.mapRange)
+      g.mapScale = {options.mapRange->first, options.mapRange->second, options.colourMap};
+    else if (byRecords)
+      g.mapScale = robustScale(ofRecords, leastSpan(options.mapColouring), options.colourMap);
+    else
+      g.mapScale = {g.heights.low, g.heights.high, options.colourMap};
+  }
+  if (columnsStand) {
+    g.columnHeights = old->columnHeights;
+    g.columns = old->columns;
+    g.columnsCoarse = old->columnsCoarse;
+  } else {
+    g.columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot.cells, g.cut));
+    const auto mesh = [&](MeshDetail detail) {
+      return std::make_shared<const MapMesh>(
+          buildColumnMesh(snapshot.cells->frame, *g.columnHeights, ofCells, g.base, g.mapScale, detail));
+    };
+    g.columns = mesh(MeshDetail::Full);
+    g.columnsCoarse = mesh(MeshDetail::Coarse);
+  }
+  if (boxesStand) {
+    g.boxes = old->boxes;
+    g.boxesCoarse = old->boxesCoarse;
+    g.boxCount = old->boxCount;
+  } else {
+    const auto mesh = [&](MeshDetail detail) {
+      return std::make_shared<const MapMesh>(
+          buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail));
+    };
+    g.boxes = mesh(MeshDetail::Full);
+    g.boxesCoarse = mesh(MeshDetail::Coarse);
+    g.boxCount = static_cast<size_t>(std::ranges::count_if(
+        snapshot.intervalMap->records, [&](const HeightInterval& r) { return r.min <= g.cut; }));
+  }
 }
 
 }  // namespace
@@ -169,17 +274,8 @@ SurfaceClass classOf(const Snapshot& snapshot, PointRef p) {
   return neuron ? scan.classes->classes(*neuron) : SurfaceClass::Unknown;
 }
 
-size_t planeNumber(const Snapshot& snapshot, PlaneLabel label) {
-  std::vector<std::pair<size_t, PlaneLabel>> bySize;
-  for (const ScanProducts& scan : snapshot.scans)
-    if (scan.planes)
-      for (const Plane& p : scan.planes->planes) bySize.emplace_back(p.points, p.label);
-  std::ranges::stable_sort(bySize, [](const auto& a, const auto& b) { return a.first > b.first; });
-  const auto at = std::ranges::find(bySize, label, &std::pair<size_t, PlaneLabel>::second);
-  return at == bySize.end() ? 0 : static_cast<size_t>(at - bySize.begin()) + 1;
-}
-
-ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options, const ViewGeometryPtr& previous) {
+ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options,
+                                  const ViewGeometryPtr& previous) {
   require(snapshot != nullptr, "buildViewGeometry: no snapshot");
   auto g = std::make_shared<ViewGeometry>();
   g->snapshot = snapshot;
@@ -191,7 +287,8 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
   if (!snapshot->scans.empty() && snapshot->scans.front().points)
     g->viewing = snapshot->scans.front().points->viewing;
 
-  // The automatic cut stays where it was while the points are the same: views must not jump when a slider moves a plane.
+  // The automatic cut stays where it was while the points are the same: views must not jump when a slider
+  // moves a plane.
   if (options.cut)
     g->cut = *options.cut;
   else if (pointsStand && !old->options.cut)
@@ -200,10 +297,14 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
     g->cut = automaticCut(*snapshot);
   measureExtent(*g);
 
-  const bool scaleStands = old && pointsStand && g->scale == old->scale;
-  if (scaleStands && sameColours(*snapshot, *old->snapshot) && options.colouring == old->options.colouring) {
+  const bool heightsStand = old && pointsStand && g->heights == old->heights;
+  const bool planesStand = pointsStand && samePlanes(*snapshot, *old->snapshot);
+  g->numbers = planesStand ? old->numbers : numberPlanes(*snapshot, pointsStand ? old : nullptr);
+  if (heightsStand && sameColours(*snapshot, *old->snapshot) && options.colouring == old->options.colouring &&
+      options.colourMap == old->options.colourMap && options.cloudRange == old->options.cloudRange) {
     g->cloudRgb = old->cloudRgb;
     g->classCounts = old->classCounts;
+    g->cloudScale = old->cloudScale;
   } else {
     g->cloudRgb = colourCloud(*g, g->classCounts);
   }
@@ -217,38 +318,8 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
     g->cloudShown = std::move(shown);
   }
 
-  const bool lookStands = scaleStands && g->cut == old->cut;
-  if (snapshot->cells) {
-    g->base = g->scale.low;
-    if (lookStands && old->columns && snapshot->cells == old->snapshot->cells) {
-      g->columnHeights = old->columnHeights;
-      g->columns = old->columns;
-      g->columnsCoarse = old->columnsCoarse;
-    } else {
-      g->columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot->cells, g->cut));
-      const auto mesh = [&](MeshDetail detail) {
-        return std::make_shared<const MapMesh>(
-            buildColumnMesh(snapshot->cells->frame, *g->columnHeights, g->base, g->scale, detail));
-      };
-      g->columns = mesh(MeshDetail::Full);
-      g->columnsCoarse = mesh(MeshDetail::Coarse);
-    }
-  }
-  if (snapshot->intervalMap) {
-    if (lookStands && old->boxes && snapshot->intervalMap == old->snapshot->intervalMap) {
-      g->boxes = old->boxes;
-      g->boxesCoarse = old->boxesCoarse;
-      g->boxCount = old->boxCount;
-    } else {
-      const auto mesh = [&](MeshDetail detail) {
-        return std::make_shared<const MapMesh>(buildBoxMesh(*snapshot->intervalMap, g->cut, g->scale, detail));
-      };
-      g->boxes = mesh(MeshDetail::Full);
-      g->boxesCoarse = mesh(MeshDetail::Coarse);
-      g->boxCount = static_cast<size_t>(std::ranges::count_if(
-          snapshot->intervalMap->records, [&](const HeightInterval& r) { return r.min <= g->cut; }));
-    }
-  }
+  g->base = g->heights.low;
+  buildMaps(*g, old, heightsStand);
   return g;
 }
 

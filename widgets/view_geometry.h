@@ -7,66 +7,77 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "pipeline/snapshot.h"
+#include "segment/display_numbers.h"
 #include "widgets/colour_maps.h"
+#include "widgets/colouring.h"
 #include "widgets/map_mesh.h"
 #include "widgets/selection.h"
 
 namespace stratascope {
 
-enum class CloudColouring { SurfaceClass, Plane, Height };
-
 /// How a snapshot is to be shown. Never changes a number that is exported.
 struct ViewOptions {
   CloudColouring colouring = CloudColouring::SurfaceClass;
-  std::optional<double> cut;  ///< hide what is above this height; without a value: below the ceiling, if there is one
+  MapColouring mapColouring = MapColouring::Height;
+  ColourMap colourMap = ColourMap::Viridis;
+  /// The range of the scalar bars, if it is to stay whatever the data says.
+  std::optional<std::pair<double, double>> cloudRange, mapRange;
+  std::optional<double>
+      cut;  ///< hide what is above this height; without a value: below the ceiling, if there is one
   bool operator==(const ViewOptions&) const = default;
 };
 
-/// All measured points of all scans in a shuffled order (the same for the same number of points), so that any prefix is a
-/// fair sample: the level of detail while the camera moves.
+/// All measured points of all scans in a shuffled order (the same for the same number of points), so that any
+/// prefix is a fair sample: the level of detail while the camera moves.
 struct CloudGeometry {
   std::vector<Eigen::Vector3f> positions;
   std::vector<PointRef> source;
 };
 
-/// What the views draw. Immutable; made off the window's thread. Parts that did not change are shared with the one before.
+/// What the views draw. Immutable; made off the window's thread. Parts that did not change are shared with
+/// the one before.
 struct ViewGeometry {
   SnapshotPtr snapshot;
   ViewOptions options;
 
   std::shared_ptr<const CloudGeometry> cloud;
   std::shared_ptr<const std::vector<std::uint8_t>> cloudRgb;  ///< three a point, in cloud's order
-  std::shared_ptr<const std::vector<std::int32_t>> cloudShown;  ///< which of cloud's points lie at or below the cut, ascending
+  std::shared_ptr<const std::vector<std::int32_t>>
+      cloudShown;  ///< which of cloud's points lie at or below the cut, ascending
   std::array<size_t, kSurfaceClassCount> classCounts{};
 
-  std::shared_ptr<const std::vector<float>> columnHeights;  ///< heightsBelow(cut), in the order of the map's frame
+  std::shared_ptr<const std::vector<float>>
+      columnHeights;  ///< heightsBelow(cut), in the order of the map's frame
   std::shared_ptr<const MapMesh> columns, columnsCoarse, boxes, boxesCoarse;
-  size_t boxCount = 0;  ///< records at or below the cut
-  HeightScale scale;
-  double base = 0;      ///< columns stand on this height
+  size_t boxCount = 0;     ///< records at or below the cut
+  ColourScale heights;     ///< all heights below the cut but stragglers
+  ColourScale cloudScale;  ///< of the cloud's colours, if they are numbers
+  ColourScale mapScale;    ///< of both maps' colours
+  DisplayNumbers numbers;  ///< of the planes
+  double base = 0;         ///< columns stand on this height
 
-  double lowest = 0, highest = 1;  ///< of all points
+  double lowest = 0, highest = 1;                        ///< of all points
   double cut = std::numeric_limits<double>::infinity();  ///< in force
-  Eigen::AlignedBox3d bounds;      ///< of what is below the cut, without stragglers
+  Eigen::AlignedBox3d bounds;                            ///< of what is below the cut, without stragglers
   Eigen::Vector3d viewing = Eigen::Vector3d::UnitX();
 };
 using ViewGeometryPtr = std::shared_ptr<const ViewGeometry>;
 
 /// Takes over from `previous` whatever still holds. Deterministic.
-ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options, const ViewGeometryPtr& previous = {});
+ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options,
+                                  const ViewGeometryPtr& previous = {});
 
 /// Label of the plane a point belongs to, and its class; kNoPlane and Unknown where they are not known.
 PlaneLabel labelOf(const Snapshot& snapshot, PointRef point);
 SurfaceClass classOf(const Snapshot& snapshot, PointRef point);
 /// Map frame; NaN if missing.
 Eigen::Vector3f positionOf(const Snapshot& snapshot, PointRef point);
-/// Neuron of a point of an unordered cloud, or the neuron itself; nothing where a nearer point took the neuron.
+/// Neuron of a point of an unordered cloud, or the neuron itself; nothing where a nearer point took the
+/// neuron.
 std::optional<GridIndex> neuronOf(const Snapshot& snapshot, PointRef point);
-
-/// Text for people: the place of a plane in the list (1 = most points), 0 if there is none.
-size_t planeNumber(const Snapshot& snapshot, PlaneLabel label);
 
 }  // namespace stratascope

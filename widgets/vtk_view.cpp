@@ -11,15 +11,18 @@
 #include <vtkRendererCollection.h>
 
 #include <QBoxLayout>
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "base/units.h"
 #include "widgets/theme.h"
@@ -29,7 +32,7 @@ namespace {
 
 /// Turns about the vertical and up and down, but never over the top; no keys of its own.
 class UprightStyle : public vtkInteractorStyleTrackballCamera {
- public:
+public:
   static UprightStyle* New();
 
   void Rotate() override {
@@ -62,15 +65,48 @@ class UprightStyle : public vtkInteractorStyleTrackballCamera {
 };
 vtkStandardNewMacro(UprightStyle)
 
-void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
+    void onVtk(vtkObject* object, unsigned long event, std::function<void()> call) {
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(new std::function<void()>(std::move(call)));
   command->SetClientDataDeleteCallback([](void* p) { delete static_cast<std::function<void()>*>(p); });
-  command->SetCallback([](vtkObject*, unsigned long, void* p, void*) { (*static_cast<std::function<void()>*>(p))(); });
+  command->SetCallback(
+      [](vtkObject*, unsigned long, void* p, void*) { (*static_cast<std::function<void()>*>(p))(); });
   object->AddObserver(event, command);
 }
 
 }  // namespace
+
+/// Shows as many of its parts, separated by dots, as there is room for; the tooltip has them all.
+class PartsLabel : public QWidget {
+public:
+  explicit PartsLabel(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  }
+  void setText(const QString& text) {
+    if (text == text_) return;
+    text_ = text;
+    setToolTip(text);
+    update();
+  }
+  QSize sizeHint() const override { return {10, fontMetrics().height()}; }
+
+protected:
+  void paintEvent(QPaintEvent*) override {
+    const QString separator = QStringLiteral("  ·  ");
+    QString shown;
+    for (const QString& part : text_.split(separator)) {
+      const QString longer = shown.isEmpty() ? part : shown + separator + part;
+      if (fontMetrics().horizontalAdvance(longer) > width()) break;
+      shown = longer;
+    }
+    QPainter painter(this);
+    painter.setPen(mutedText(palette()));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, shown);
+  }
+
+private:
+  QString text_;
+};
 
 VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   setObjectName("view");
@@ -79,10 +115,7 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   header_->setToolTip(tr("Double-click to enlarge this view or to go back"));
   auto* name = new QLabel(title, header_);
   name->setObjectName("viewTitle");
-  subtitle_ = new QLabel(header_);
-  subtitle_->setObjectName("viewSubtitle");
-  subtitle_->setMinimumWidth(0);
-  subtitle_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  subtitle_ = new PartsLabel(header_);
   maximise_ = new QToolButton(header_);
   maximise_->setAutoRaise(true);
   setThemedIcon(maximise_, "maximise");
@@ -114,18 +147,24 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
 
   onVtk(style, vtkCommand::StartInteractionEvent, [this] { beginMove(); });
   onVtk(style, vtkCommand::EndInteractionEvent, [this] { endMove(); });
-  onVtk(style, vtkCommand::InteractionEvent, [this] { emit cameraMoved(); });
+  onVtk(style, vtkCommand::InteractionEvent, [this] {
+    cameraMoving_ = true;  // a mere click moves nothing, and linked views keep their own fit
+    emit cameraMoved();
+  });
   fullDetail_.setSingleShot(true);
   fullDetail_.setInterval(180);
   connect(&fullDetail_, &QTimer::timeout, this, [this] {
     moving_ = false;
     setCoarse(false);
-    emit cameraMoved();
     scheduleRender();
+    if (std::exchange(cameraMoving_, false)) emit cameraMoved();
   });
   render_.setSingleShot(true);
   render_.setInterval(0);
   connect(&render_, &QTimer::timeout, this, [this] { renderNow(); });
+  hover_.setSingleShot(true);
+  hover_.setInterval(40);
+  connect(&hover_, &QTimer::timeout, this, [this] { emit hovered(hoverAt_); });
   connect(maximise_, &QToolButton::clicked, this, &VtkView::maximiseToggled);
   canvas_->installEventFilter(this);
   header_->installEventFilter(this);
@@ -139,10 +178,11 @@ VtkView::~VtkView() {
 
 void VtkView::setSubtitle(const QString& text) {
   subtitle_->setText(text);
-  subtitle_->setToolTip(text);
 }
 
-void VtkView::addHeaderWidget(QWidget* widget) { headerLayout_->insertWidget(headerLayout_->count() - 1, widget); }
+void VtkView::addHeaderWidget(QWidget* widget) {
+  headerLayout_->insertWidget(headerLayout_->count() - 1, widget);
+}
 
 void VtkView::setLegend(QWidget* legend) {
   legend_ = legend;
@@ -151,9 +191,13 @@ void VtkView::setLegend(QWidget* legend) {
   placeLegend();
 }
 
-void VtkView::setMaximised(bool maximised) { maximise_->setChecked(maximised); }
+void VtkView::setMaximised(bool maximised) {
+  maximise_->setChecked(maximised);
+}
 
-QWidget* VtkView::canvas() const { return canvas_; }
+QWidget* VtkView::canvas() const {
+  return canvas_;
+}
 
 void VtkView::look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction) {
   const double aspect = static_cast<double>(std::max(1, canvas_->width())) / std::max(1, canvas_->height());
@@ -171,7 +215,36 @@ void VtkView::copyCamera(const VtkView& other) {
   to->SetPosition(from->GetPosition());
   to->SetFocalPoint(from->GetFocalPoint());
   to->SetViewUp(from->GetViewUp());
-  setCoarse(other.moving_);
+  to->SetParallelScale(from->GetParallelScale());
+  if (other.moving_ || !fullDetail_.isActive()) setCoarse(other.moving_);
+  scheduleRender();
+}
+
+void VtkView::setPerspective(bool perspective) {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  if (!perspective)
+    camera->SetParallelScale(camera->GetDistance() * std::tan(0.5 * degToRad(camera->GetViewAngle())));
+  camera->SetParallelProjection(!perspective);
+  scheduleRender();
+}
+
+void VtkView::orbitAbout(const Eigen::Vector3d& point) {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  const Eigen::Vector3d move = point - Eigen::Vector3d(camera->GetFocalPoint());
+  Eigen::Vector3d eye = Eigen::Vector3d(camera->GetPosition()) + move;
+  camera->SetFocalPoint(point.x(), point.y(), point.z());
+  camera->SetPosition(eye.data());
+  camera->SetWindowCenter(0, 0);
+  scheduleRender();
+  emit cameraMoved();
+}
+
+void VtkView::fit(const Eigen::AlignedBox3d& box) {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  Eigen::Vector3d low = box.min(), high = box.max();
+  const double bounds[6] = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+  camera->SetWindowCenter(0, 0);
+  renderer_->ResetCamera(bounds);
   scheduleRender();
 }
 
@@ -182,8 +255,19 @@ void VtkView::scheduleRender() {
 void VtkView::renderNow() {
   render_.stop();
   if (!canvas_->isVisible()) return;
+  QElapsedTimer timer;
+  timer.start();
   renderer_->ResetCameraClippingRange();
   window_->Render();
+  emit drawn(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+}
+
+void VtkView::noteChange() {
+  if (!moving_) {
+    moving_ = true;
+    setCoarse(true);
+  }
+  fullDetail_.start();
 }
 
 void VtkView::beginMove() {
@@ -192,7 +276,9 @@ void VtkView::beginMove() {
   setCoarse(true);
 }
 
-void VtkView::endMove() { fullDetail_.start(); }
+void VtkView::endMove() {
+  fullDetail_.start();
+}
 
 Eigen::Vector2d VtkView::displayPosition(QPoint p) const {
   const double ratio = canvas_->devicePixelRatioF();
@@ -218,6 +304,10 @@ PickRay VtkView::rayAt(QPoint position) const {
   const Eigen::Matrix4d back = p.ndc_T_map.inverse();
   const Eigen::Vector3d near = (back * Eigen::Vector4d(x, y, -1, 1)).hnormalized();
   const Eigen::Vector3d far = (back * Eigen::Vector4d(x, y, 1, 1)).hnormalized();
+  if (renderer_->GetActiveCamera()->GetParallelProjection()) {
+    const Eigen::Vector3d along = (far - near).normalized();
+    return {near - 1000 * along, along};
+  }
   // From the eye, not from the near plane: that one is fitted to what is drawn.
   const Eigen::Vector3d eye(renderer_->GetActiveCamera()->GetPosition());
   return {eye, (far - near).normalized()};
@@ -251,8 +341,25 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
   if (object == header_ && event->type() == QEvent::MouseButtonDblClick) emit maximiseToggled();
   if (object == canvas_) {
     switch (event->type()) {
-      case QEvent::Resize: placeLegend(); break;
-      case QEvent::Show: scheduleRender(); break;
+      case QEvent::Resize:
+        placeLegend();
+        break;
+      case QEvent::Show:
+        scheduleRender();
+        break;
+      case QEvent::Wheel:
+        cameraMoving_ = true;
+        break;
+      case QEvent::Leave:
+        hover_.stop();
+        emit hovered({-1, -1});
+        break;
+      case QEvent::MouseMove: {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        hoverAt_ = mouse->pos();
+        if (mouse->buttons() == Qt::NoButton && !hover_.isActive()) hover_.start();
+        break;
+      }
       case QEvent::MouseButtonPress: {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         pressed_ = mouse->pos();
@@ -267,7 +374,8 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
         if (click) emit clicked(mouse->pos());
         break;
       }
-      default: break;
+      default:
+        break;
     }
   }
   return QFrame::eventFilter(object, event);
@@ -276,7 +384,8 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
 QString openGlProblem() {
   QOpenGLContext context;
   context.setFormat(QSurfaceFormat::defaultFormat());
-  const QString remedy = QObject::tr("install a graphics driver or Mesa's software renderer, or use stratascope-cli");
+  const QString remedy =
+      QObject::tr("install a graphics driver or Mesa's software renderer, or use stratascope-cli");
   if (!context.create()) return QObject::tr("OpenGL cannot be used on this display; %1").arg(remedy);
   const auto version = context.format().version();
   if (version < qMakePair(3, 2))

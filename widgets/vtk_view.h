@@ -14,17 +14,18 @@
 #include "widgets/picking.h"
 
 class QBoxLayout;
-class QLabel;
 class QToolButton;
 class QVTKOpenGLNativeWidget;
 
 namespace stratascope {
 
-/// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing while it
-/// moves. The vertical stays vertical. Needs OpenGL (see openGlProblem()).
+class PartsLabel;
+
+/// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing
+/// while it moves. The vertical stays vertical. Needs OpenGL (see openGlProblem()).
 class VtkView : public QFrame {
   Q_OBJECT
- public:
+public:
   explicit VtkView(const QString& title, QWidget* parent = nullptr);
   ~VtkView() override;
 
@@ -37,10 +38,19 @@ class VtkView : public QFrame {
 
   void look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction);
   void copyCamera(const VtkView& other);
+  /// Without perspective parallel lines stay parallel and lengths can be compared.
+  void setPerspective(bool perspective);
+  /// Moves the camera without turning it, so that it turns about this point from now on.
+  void orbitAbout(const Eigen::Vector3d& point);
+  /// Fits the box into the picture without turning the camera.
+  void fit(const Eigen::AlignedBox3d& box);
 
   /// Draws at the next chance; many calls make one picture.
   void scheduleRender();
+  bool renderPending() const { return render_.isActive(); }
   void renderNow();
+  /// The data is changing from picture to picture: coarse drawing until it has been still for a moment.
+  void noteChange();
   /// The picture as last drawn, with the overlays.
   QWidget* canvas() const;
 
@@ -51,19 +61,24 @@ class VtkView : public QFrame {
   /// Where a point of the map is on the canvas.
   QPointF canvasPosition(const Eigen::Vector3d& point) const;
 
- signals:
+signals:
   void clicked(QPoint widgetPosition);
+  /// The pointer rests or moves here with no button pressed; not at every pixel. Outside: (−1, −1).
+  void hovered(QPoint widgetPosition);
+  /// What is under the pointer, in words; empty where nothing is.
+  void hoverText(const QString& text);
   void cameraMoved();
   void maximiseToggled();
+  void drawn(double seconds);
 
- protected:
+protected:
   /// While the camera moves.
   virtual void setCoarse(bool coarse) = 0;
   vtkRenderer* renderer() const { return renderer_; }
   bool eventFilter(QObject* object, QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
- private:
+private:
   void beginMove();
   void endMove();
   void placeLegend();
@@ -72,16 +87,19 @@ class VtkView : public QFrame {
   QVTKOpenGLNativeWidget* canvas_;
   QWidget* header_;
   QBoxLayout* headerLayout_;
-  QLabel* subtitle_;
+  PartsLabel* subtitle_;
   QToolButton* maximise_;
   QWidget* legend_ = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   QTimer fullDetail_;
   QTimer render_;
+  QTimer hover_;
+  QPoint hoverAt_;
   QPoint pressed_;
   bool pressedLeft_ = false;
-  bool moving_ = false;
+  bool moving_ = false;        ///< drawn coarse
+  bool cameraMoving_ = false;  ///< because the camera moves: linked views follow
 };
 
 /// Why no picture could be drawn here, in one line; empty if OpenGL 3.2 is there. Needs a QApplication.
