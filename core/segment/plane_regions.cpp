@@ -12,6 +12,7 @@
 #include "segment/curved.h"
 #include "segment/patches.h"
 #include "segment/region_neurons.h"
+#include "segment/uneven.h"
 
 namespace stratascope {
 
@@ -141,6 +142,7 @@ public:
     for (int round = 0; round < kRounds; ++round)
       if (!settleAndJoin(regions_.region.rows() + regions_.region.cols())) break;
     dropCurved();
+    relabel(joinUneven(neurons_, patches_, regions_, execution_));
     if (neurons_.params.joinCoplanar) join(OccludedGaps(neurons_, regions_).pairs(rules_.cosLargestAngle));
     giveUpSmall();
     eachNeuron([&](std::int32_t& l) {
@@ -189,22 +191,27 @@ private:
     for (const auto& [a, b] : touching(regions_.region, 3, true, execution_)) graph.connect(a, b);
     for (const auto& [a, b] : alsoConnected) graph.connect(a, b);
     graph.joinAll(rules_, execution_);
-    bool joined = false;
     regions_.size = measured.size;
     std::vector<std::int32_t> rootOf(graph.size());
     for (size_t l = 0; l < graph.size(); ++l) {
       rootOf[l] = graph.find(static_cast<int>(l));
-      const auto root = static_cast<size_t>(rootOf[l]);
-      if (root == l) {
-        if (graph.plane(static_cast<int>(l)).valid) regions_.planes[l] = graph.plane(static_cast<int>(l));
-        continue;
-      }
+      if (graph.plane(static_cast<int>(l)).valid) regions_.planes[l] = graph.plane(static_cast<int>(l));
+    }
+    return relabel(rootOf);
+  }
+
+  /// Each region's neurons go to the one that stands for it. Whether any did.
+  bool relabel(const std::vector<std::int32_t>& standsFor) {
+    bool joined = false;
+    for (size_t l = 0; l < standsFor.size(); ++l) {
+      const auto root = static_cast<size_t>(standsFor[l]);
+      if (root == l) continue;
       joined = true;
       regions_.size[root] += regions_.size[l];
       regions_.size[l] = 0;
       alive_[l] = 0;
     }
-    if (joined) eachNeuron([&](std::int32_t& l) { l = rootOf[static_cast<size_t>(l)]; });
+    if (joined) eachNeuron([&](std::int32_t& l) { l = standsFor[static_cast<size_t>(l)]; });
     return joined;
   }
 
