@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 
 #include "base/expected.h"
 
@@ -50,9 +51,12 @@ void runChunks(int chunks, int threads, const Run& run) {
 template <class Run>
 void runChunks(int chunks, int threads, const Run& run) {
   // More workers than processors only earn a warning on stderr.
-  const int most = tbb::this_task_arena::max_concurrency();
-  tbb::task_arena arena(threads <= 0 ? most : std::min(most, threads));
-  arena.execute([&] { tbb::parallel_for(0, chunks, run, tbb::simple_partitioner{}); });
+  static const int most = tbb::this_task_arena::max_concurrency();
+  const int wanted = threads <= 0 ? most : std::min(most, threads);
+  // Setting an arena up costs more than many a step takes, so each calling thread keeps its own.
+  thread_local std::unique_ptr<tbb::task_arena> arena;
+  if (!arena || arena->max_concurrency() != wanted) arena = std::make_unique<tbb::task_arena>(wanted);
+  arena->execute([&] { tbb::parallel_for(0, chunks, run, tbb::simple_partitioner{}); });
 }
 #endif
 
@@ -73,7 +77,7 @@ void parallelRows(int rows, const Execution& execution, const std::function<void
     const int begin = chunk * chunkRows;
     body(begin, std::min(rows, begin + chunkRows));
   };
-  if (execution.threads == 1) {
+  if (execution.threads == 1 || chunks <= 1) {
     for (int chunk = 0; chunk < chunks; ++chunk) run(chunk);
   } else {
     runChunks(chunks, execution.threads, run);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/units.h"
 #include "io/export.h"
 #include "io/file_util.h"
 #include "params/param_table.h"
@@ -57,6 +58,7 @@ Expected<Json> inputEntry(const ScanProducts& products) {
   entry["pose"] = poseNumbers(scan.pose.map_T_scan);
   const Eigen::Vector3d sensor = scan.pose.map_T_sensor().translation();
   entry["sensor"] = {sensor.x(), sensor.y(), sensor.z()};
+  entry["facing_deg"] = radToDeg(products.classes->wallDirection);
   entry["unit"] = scan.fileUnit;
   entry["axes"] = scan.fileAxes;
   entry["local_origin"] = {scan.localOrigin.x(), scan.localOrigin.y(), scan.localOrigin.z()};

@@ -14,7 +14,7 @@ namespace stratascope {
 namespace {
 
 constexpr size_t kEnough = 200;    // second differences for a median good to a few per cent
-constexpr size_t kAsked = 100000;  // of the whole scan: good to half a per cent
+constexpr size_t kAsked = 50000;  // of the whole scan: good to one per cent
 
 double medianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
