@@ -218,8 +218,8 @@ QString scansHtml(const Snapshot& s, const QString& muted) {
     }
     if (scan.unordered()) page.row(QObject::tr("Points in the file"), countText(scan.cloud.size()));
     if (products.points) page.row(QObject::tr("Sensor at"), vectorText(products.points->sensor));
-    if (products.normals && std::isfinite(products.normals->noise.overall()))
-      page.row(QObject::tr("Range noise"), metresText(products.normals->noise.overall(), 4));
+    if (products.points && std::isfinite(products.points->noise.overall()))
+      page.row(QObject::tr("Range noise"), metresText(products.points->noise.overall(), 4));
     if (products.planes) page.row(QObject::tr("Planes"), countText(products.planes->planes.size()));
     for (const std::string& note : scan.notes)
       page.after(QStringLiteral("<p style='color:%1; margin-top:6px'>%2</p>")
