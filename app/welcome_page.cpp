@@ -20,8 +20,9 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
   QFont big = font();
   big.setPointSizeF(big.pointSizeF() * 1.7);
   title->setFont(big);
-  auto* text = new QLabel(tr("3D scans become a cloud with surface classes, a 2.5D map and an extended 2.5D map.\n"
-                             "Several files opened together go into one map."));
+  auto* text =
+      new QLabel(tr("3D scans become a cloud with surface classes, a 2.5D map and an extended 2.5D map.\n"
+                    "Several files opened together go into one map."));
   text->setObjectName("muted");
   text->setAlignment(Qt::AlignHCenter);
   auto* open = new QPushButton(tr("Open a scan…"));
@@ -51,7 +52,8 @@ void WelcomePage::setRecent(const QStringList& recent) {
   title->setObjectName("muted");
   recent_->addWidget(title, 0, Qt::AlignHCenter);
   for (const QString& path : recent.mid(0, kShown)) {
-    auto* link = new QLabel(QStringLiteral("<a href='f' style='text-decoration:none'>%1</a>").arg(QFileInfo(path).fileName().toHtmlEscaped()));
+    auto* link = new QLabel(QStringLiteral("<a href='f' style='text-decoration:none'>%1</a>")
+                                .arg(QFileInfo(path).fileName().toHtmlEscaped()));
     link->setToolTip(path);
     connect(link, &QLabel::linkActivated, this, [this, path] { emit fileChosen(path); });
     recent_->addWidget(link, 0, Qt::AlignHCenter);

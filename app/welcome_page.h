@@ -12,15 +12,15 @@ namespace stratascope {
 /// Shown until the first scan is open: what to do, and the files opened last.
 class WelcomePage : public QWidget {
   Q_OBJECT
- public:
+public:
   explicit WelcomePage(QWidget* parent = nullptr);
   void setRecent(const QStringList& recent);
 
- signals:
+signals:
   void openRequested();
   void fileChosen(const QString& path);
 
- private:
+private:
   QVBoxLayout* recent_;
 };
 

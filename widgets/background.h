@@ -15,21 +15,23 @@ namespace stratascope {
 
 /// Runs jobs such as reading a file off the window's thread. The destructor waits for them.
 class Background {
- public:
+public:
   /// work() on a thread of its own; then done(result) in receiver's thread, which must outlive the job.
   /// work must report bad input in its result; an exception out of it would end the program.
   template <class Work, class Done>
   void run(QObject* receiver, Work work, Done done) {
     jobs_.remove_if([](const Job& job) { return job.finished->load(); });
     Job& job = jobs_.emplace_back();
-    job.thread = std::jthread([receiver, finished = job.finished, work = std::move(work), done = std::move(done)] {
-      auto result = std::make_shared<decltype(work())>(work());
-      QMetaObject::invokeMethod(receiver, [result, done] { done(std::move(*result)); }, Qt::QueuedConnection);
-      finished->store(true);
-    });
+    job.thread =
+        std::jthread([receiver, finished = job.finished, work = std::move(work), done = std::move(done)] {
+          auto result = std::make_shared<decltype(work())>(work());
+          QMetaObject::invokeMethod(
+              receiver, [result, done] { done(std::move(*result)); }, Qt::QueuedConnection);
+          finished->store(true);
+        });
   }
 
- private:
+private:
   struct Job {
     std::shared_ptr<std::atomic<bool>> finished = std::make_shared<std::atomic<bool>>(false);
     std::jthread thread;

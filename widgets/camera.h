@@ -10,10 +10,10 @@ namespace stratascope {
 
 enum class ViewDirection { Iso, Top, Front, Side };
 
-/// Looks at the box from the given side, seen from behind a sensor that looks along `viewing` (horizontal, unit), so that all of
-/// it fits into a picture of that aspect (width / height), with a small margin. The lowest `covered` share of the picture, where
-/// a legend lies, stays free.
-void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction,
-            double aspect, double covered = 0);
+/// Looks at the box from the given side, seen from behind a sensor that looks along `viewing` (horizontal,
+/// unit), so that all of it fits into a picture of that aspect (width / height), with a small margin. The
+/// lowest `covered` share of the picture, where a legend lies, stays free.
+void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing,
+            ViewDirection direction, double aspect, double covered = 0);
 
 }  // namespace stratascope

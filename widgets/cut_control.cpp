@@ -19,7 +19,8 @@ constexpr double kStep = 0.01;  // metres
 }
 
 CutControl::CutControl(QWidget* parent) : QWidget(parent) {
-  const QString tip = tr("Hide everything above this height in all three views. Results and exports keep it.");
+  const QString tip =
+      tr("Hide everything above this height in all three views. Results and exports keep it.");
   auto* label = new QLabel(tr("Cut above"));
   slider_ = new QSlider(Qt::Horizontal);
   slider_->setObjectName("cutSlider");
@@ -40,7 +41,8 @@ CutControl::CutControl(QWidget* parent) : QWidget(parent) {
   automatic_->setChecked(true);
   automatic_->setAutoRaise(true);
   automatic_->setToolTip(tr("Cut just below the ceiling, if there is one"));
-  for (QWidget* w : {static_cast<QWidget*>(label), static_cast<QWidget*>(slider_), static_cast<QWidget*>(spin_)})
+  for (QWidget* w :
+       {static_cast<QWidget*>(label), static_cast<QWidget*>(slider_), static_cast<QWidget*>(spin_)})
     w->setToolTip(tip);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(4, 0, 4, 0);

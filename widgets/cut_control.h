@@ -13,19 +13,20 @@ class QToolButton;
 
 namespace stratascope {
 
-/// "Cut above": hides what is higher, so that a room can be looked into. Automatic (below the ceiling) until it is moved.
+/// "Cut above": hides what is higher, so that a room can be looked into. Automatic (below the ceiling) until
+/// it is moved.
 class CutControl : public QWidget {
   Q_OBJECT
- public:
+public:
   explicit CutControl(QWidget* parent = nullptr);
   /// Takes over range and cut in force.
   void setGeometry(const ViewGeometry& geometry);
 
- signals:
+signals:
   /// Nothing = automatic.
   void cutChosen(std::optional<double> cut);
 
- private:
+private:
   void choose(double cut);
 
   QSlider* slider_;

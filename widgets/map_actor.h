@@ -16,14 +16,14 @@ namespace stratascope {
 
 /// A map's mesh, unlit and culled, and a coarser one for use while the camera moves.
 class MapActor {
- public:
+public:
   explicit MapActor(vtkRenderer* renderer);
 
   /// Null meshes draw nothing. Uploads only what is another object than last time.
   void set(std::shared_ptr<const MapMesh> full, std::shared_ptr<const MapMesh> coarse);
   void setCoarse(bool coarse);
 
- private:
+private:
   struct Level {
     vtkNew<vtkPolyData> data;
     vtkNew<vtkPolyDataMapper> mapper;

@@ -33,6 +33,8 @@ void MessageBar::showError(const QString& text) {
   show();
 }
 
-QString MessageBar::text() const { return text_->text(); }
+QString MessageBar::text() const {
+  return text_->text();
+}
 
 }  // namespace stratascope

@@ -11,12 +11,12 @@ namespace stratascope {
 /// One line over the views that says what went wrong; stays until it is closed or something newer worked.
 class MessageBar : public QFrame {
   Q_OBJECT
- public:
+public:
   explicit MessageBar(QWidget* parent = nullptr);
   void showError(const QString& text);
   QString text() const;
 
- private:
+private:
   QLabel* text_;
 };
 

@@ -46,7 +46,8 @@ void OverlayActor::addLoop(std::span<const Eigen::Vector3d> corners) {
 
 void OverlayActor::addCellBox(const MapFrame& frame, CellIndex cell, double low, double high) {
   const Eigen::Vector2d p = frame.lowerCorner(cell), q = frame.lowerCorner({cell.k + 1, cell.l + 1});
-  std::array<Eigen::Vector3d, 4> bottom{{{p.x(), p.y(), low}, {q.x(), p.y(), low}, {q.x(), q.y(), low}, {p.x(), q.y(), low}}};
+  std::array<Eigen::Vector3d, 4> bottom{
+      {{p.x(), p.y(), low}, {q.x(), p.y(), low}, {q.x(), q.y(), low}, {p.x(), q.y(), low}}};
   auto top = bottom;
   for (Eigen::Vector3d& c : top) c.z() = high;
   addLoop(bottom);
@@ -55,7 +56,8 @@ void OverlayActor::addCellBox(const MapFrame& frame, CellIndex cell, double low,
 }
 
 void OverlayActor::addCellTop(const MapFrame& frame, CellIndex cell, double z) {
-  const Eigen::Vector2f p = frame.lowerCorner(cell).cast<float>(), q = frame.lowerCorner({cell.k + 1, cell.l + 1}).cast<float>();
+  const Eigen::Vector2f p = frame.lowerCorner(cell).cast<float>(),
+                        q = frame.lowerCorner({cell.k + 1, cell.l + 1}).cast<float>();
   const auto h = static_cast<float>(z);
   quads_.insert(quads_.end(), {{p.x(), p.y(), h}, {q.x(), p.y(), h}, {q.x(), q.y(), h}, {p.x(), q.y(), h}});
 }
@@ -84,7 +86,9 @@ void OverlayActor::commit(double cut) {
   cut_->SetOrigin(0, 0, std::min(cut + 1e-4, 1e9));
 }
 
-void OverlayActor::setColour(Rgb c) { actor_->GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0); }
+void OverlayActor::setColour(Rgb c) {
+  actor_->GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
+}
 
 void OverlayActor::setSizes(double pointPixels, double linePixels) {
   actor_->GetProperty()->SetPointSize(static_cast<float>(pointPixels));

@@ -18,9 +18,10 @@
 
 namespace stratascope {
 
-/// Marks drawn over the data in one colour: points, line segments, flat cells. Made anew at each call; keep them few.
+/// Marks drawn over the data in one colour: points, line segments, flat cells. Made anew at each call; keep
+/// them few.
 class OverlayActor {
- public:
+public:
   OverlayActor(vtkRenderer* renderer, Rgb colour);
 
   void clear();
@@ -37,7 +38,7 @@ class OverlayActor {
   void setColour(Rgb colour);
   void setSizes(double pointPixels, double linePixels);
 
- private:
+private:
   std::vector<Eigen::Vector3f> points_, segments_, quads_;
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkPolyDataMapper> mapper_;

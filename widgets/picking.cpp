@@ -10,8 +10,8 @@
 namespace stratascope {
 namespace {
 
-/// Calls visit(cell, zLow, zHigh) for each cell under the ray, in order, with the heights the ray has in it; stops when visit
-/// returns true.
+/// Calls visit(cell, zLow, zHigh) for each cell under the ray, in order, with the heights the ray has in it;
+/// stops when visit returns true.
 template <class Visit>
 std::optional<CellIndex> walkGrid(const PickRay& ray, const MapFrame& frame, const Visit& visit) {
   if (frame.size() == 0) return std::nullopt;
@@ -23,7 +23,8 @@ std::optional<CellIndex> walkGrid(const PickRay& ray, const MapFrame& frame, con
       if (ray.origin[a] < low[a] || ray.origin[a] > high[a]) return std::nullopt;
       continue;
     }
-    double in = (low[a] - ray.origin[a]) / ray.direction[a], out = (high[a] - ray.origin[a]) / ray.direction[a];
+    double in = (low[a] - ray.origin[a]) / ray.direction[a],
+           out = (high[a] - ray.origin[a]) / ray.direction[a];
     if (in > out) std::swap(in, out);
     t0 = std::max(t0, in);
     t1 = std::min(t1, out);
@@ -47,8 +48,9 @@ std::optional<CellIndex> walkGrid(const PickRay& ray, const MapFrame& frame, con
     const double leave = next[axis];
     const double zIn = ray.origin.z() + t * ray.direction.z();
     // Straight down: the ray stays in one cell for ever.
-    const double zOut = std::isinf(leave) ? std::copysign(std::numeric_limits<double>::infinity(), ray.direction.z())
-                                          : ray.origin.z() + leave * ray.direction.z();
+    const double zOut = std::isinf(leave)
+                            ? std::copysign(std::numeric_limits<double>::infinity(), ray.direction.z())
+                            : ray.origin.z() + leave * ray.direction.z();
     if (visit(c, std::min(zIn, zOut), std::max(zIn, zOut))) return c;
     if (std::isinf(leave)) return std::nullopt;
     t = std::max(t, leave);

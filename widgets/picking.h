@@ -25,12 +25,13 @@ struct Projection {
 
 inline constexpr size_t kNothingPicked = std::numeric_limits<size_t>::max();
 
-/// The point nearest to the viewer within `radius` pixels of (x, y), origin at the lower left; points above the cut do not
-/// count. kNothingPicked if there is none.
+/// The point nearest to the viewer within `radius` pixels of (x, y), origin at the lower left; points above
+/// the cut do not count. kNothingPicked if there is none.
 size_t pickPoint(std::span<const Eigen::Vector3f> points, const Projection& projection, double x, double y,
                  double radius, double cut);
 
-/// The first cell whose column (from base to its height) the ray meets: walks the grid cell by cell along the ray.
+/// The first cell whose column (from base to its height) the ray meets: walks the grid cell by cell along the
+/// ray.
 std::optional<CellIndex> pickColumn(const PickRay& ray, const MapFrame& frame, std::span<const float> heights,
                                     double base);
 

@@ -30,7 +30,8 @@ void ScanActor::setUp(Level& level, vtkRenderer* renderer) {
 }
 
 void ScanActor::set(const ViewGeometry& g) {
-  const bool moved = g.cloud != cloud_, cutElsewhere = g.cloudShown != shown_, recoloured = g.cloudRgb != rgb_;
+  const bool moved = g.cloud != cloud_, cutElsewhere = g.cloudShown != shown_,
+             recoloured = g.cloudRgb != rgb_;
   if (!moved && !cutElsewhere && !recoloured) return;
   const size_t count = g.cloudShown->size();
   const size_t coarse = count < kCoarseFrom ? count : count / kCoarseShare;

@@ -16,7 +16,7 @@ namespace stratascope {
 
 /// The cloud as one poly-vertex cell, unlit, and a quarter of it for use while the camera moves.
 class ScanActor {
- public:
+public:
   explicit ScanActor(vtkRenderer* renderer);
 
   /// Uploads only what is another object than last time.
@@ -25,7 +25,7 @@ class ScanActor {
   /// Device pixels.
   void setPointSize(double pixels);
 
- private:
+private:
   struct Level {
     vtkNew<vtkPolyData> data;
     vtkNew<vtkPolyDataMapper> mapper;

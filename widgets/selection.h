@@ -24,7 +24,7 @@ using Selected = std::variant<std::monostate, PointRef, CellIndex, PlaneLabel>;
 /// What is selected, at most one thing. All views and panels follow this one object.
 class Selection : public QObject {
   Q_OBJECT
- public:
+public:
   using QObject::QObject;
   const Selected& get() const { return selected_; }
   void set(Selected selected) {
@@ -34,10 +34,10 @@ class Selection : public QObject {
   }
   void clear() { set({}); }
 
- signals:
+signals:
   void changed();
 
- private:
+private:
   Selected selected_;
 };
 

@@ -14,7 +14,8 @@ namespace stratascope {
 
 enum class Theme { System, Light, Dark };
 
-/// Fusion style, our palette and style sheet for the whole program. System follows the palette the desktop gave at the start.
+/// Fusion style, our palette and style sheet for the whole program. System follows the palette the desktop
+/// gave at the start.
 void applyTheme(Theme theme);
 bool isDark(const QPalette& palette);
 
@@ -25,7 +26,8 @@ QColor mutedText(const QPalette& palette);
 /// Hair lines between parts.
 QColor lineColour(const QPalette& palette);
 
-/// The SVG of that name from resources/icons in the palette's colour. Icons set through setThemedIcon follow a change of theme.
+/// The SVG of that name from resources/icons in the palette's colour. Icons set through setThemedIcon follow
+/// a change of theme.
 QIcon themedIcon(const QString& name);
 void setThemedIcon(QAction* action, const QString& name);
 void setThemedIcon(QAbstractButton* button, const QString& name);

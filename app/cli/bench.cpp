@@ -38,8 +38,8 @@ Expected<TrueScan> sampleScan(const Execution& execution, int lines = 0, int bea
   if (!scene) return scene.error();
   if (lines > 0) scene->scanner.lines = lines, scene->scanner.beams = beams;
   SimulatedScan simulated = simulateScan(*scene, {.seed = 1}, execution);
-  return TrueScan{std::make_shared<const Scan>(std::move(simulated.scan)),
-                  std::move(simulated.truthLabels), std::move(simulated.truthNormals), true};
+  return TrueScan{std::make_shared<const Scan>(std::move(simulated.scan)), std::move(simulated.truthLabels),
+                  std::move(simulated.truthNormals), true};
 }
 
 Status addTruth(const std::string& path, TrueScan& scan) {

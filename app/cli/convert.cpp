@@ -31,7 +31,8 @@ void requireWritable(const std::string& path) {
 
 Status convert(const ConvertOptions& options) {
   requireWritable(options.out);
-  const auto scan = readScan(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame()});
+  const auto scan =
+      readScan(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame()});
   if (!scan) return scan.error();
   const Status written = writeScan(*scan, options.out);
   if (!written) return written;

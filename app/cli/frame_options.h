@@ -11,11 +11,11 @@ namespace stratascope::cli {
 
 /// `--units` and `--axes`, the options of every subcommand that reads scans. Must outlive the parsing.
 class FrameOptions {
- public:
+public:
   void addTo(CLI::App& command);
   FileFrame frame() const;
 
- private:
+private:
   std::string units_ = "auto";
   std::string axes_ = "auto";
 };

@@ -104,7 +104,8 @@ std::string asText(const Scan& scan, const ScanSummary& summary) {
   line("sensor", "at " + fixed(sensor.translation(), 3) + " m, roll " + fixed(angles.rollDeg, 2) + " pitch " +
                      fixed(angles.pitchDeg, 2) + " yaw " + fixed(angles.yawDeg, 2) + " degrees");
   line("read as", scan.fileUnit + ", " + scan.fileAxes);
-  if (!scan.localOrigin.isZero(0)) line("origin", fixed(scan.localOrigin, 3) + " m: add it to a map coordinate for the file's");
+  if (!scan.localOrigin.isZero(0))
+    line("origin", fixed(scan.localOrigin, 3) + " m: add it to a map coordinate for the file's");
   for (const std::string& sentence : scan.notes) line("note", sentence);
   return text;
 }

@@ -105,7 +105,8 @@ void ParamOptions::addTo(CLI::App& command) {
 Expected<Settings> ParamOptions::settings(const Settings* base) const {
   Settings settings;
   if (base) {
-    if (!file_.empty()) throw BadArguments("--params: the session has its parameters; give single options instead");
+    if (!file_.empty())
+      throw BadArguments("--params: the session has its parameters; give single options instead");
     settings = *base;
   } else if (!file_.empty()) {
     auto read = readFileOfParams(file_);

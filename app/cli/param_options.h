@@ -26,8 +26,8 @@ class ParamOptions {
 public:
   void addTo(CLI::App& command);
 
-  /// Errors: the file of parameters. Throws BadArguments for options that cannot be used. `base` stands in for
-  /// the file, which may then not be given.
+  /// Errors: the file of parameters. Throws BadArguments for options that cannot be used. `base` stands in
+  /// for the file, which may then not be given.
   Expected<Settings> settings(const Settings* base = nullptr) const;
   Execution execution() const { return {.threads = threads_}; }
 

@@ -120,7 +120,8 @@ Expected<Job> jobOfSession(const ProcessOptions& options) {
     const auto unit = lengthUnitFromText(input.units);
     const auto axes = fileAxesFromText(input.axes);
     if (!unit || !axes)
-      return Error{options.session, "key inputs", "'" + input.units + "', '" + input.axes + "' are no unit and axes",
+      return Error{options.session, "key inputs",
+                   "'" + input.units + "', '" + input.axes + "' are no unit and axes",
                    "write them as --units and --axes take them"};
     job.frames.push_back({*unit, *axes});
     job.files.push_back(input.path);

@@ -17,8 +17,8 @@ namespace stratascope::cli {
 /// order.
 Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arguments);
 
-/// Reads all scans of all files, in one map with one local origin; `poses` is empty or one for each file (else
-/// BadArguments), none = what the file says; `frames` is empty (as the files say) or one for each file.
+/// Reads all scans of all files, in one map with one local origin; `poses` is empty or one for each file
+/// (else BadArguments), none = what the file says; `frames` is empty (as the files say) or one for each file.
 Expected<std::vector<ScanPtr>> readScans(const std::vector<std::string>& files,
                                          const std::vector<std::optional<Eigen::Isometry3d>>& poses,
                                          const std::vector<FileFrame>& frames = {});

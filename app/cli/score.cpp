@@ -104,7 +104,8 @@ Status score(const ScoreArguments& arguments) {
                  size(*found) + " points, but the truth " + arguments.truth + " has " + size(*truth),
                  "both must be of the same scan, point by point"};
   if (arguments.pieces)
-    if (const Status split = splitTruth(arguments.truth, *found, arguments.overlap, *truth); !split) return split;
+    if (const Status split = splitTruth(arguments.truth, *found, arguments.overlap, *truth); !split)
+      return split;
   const ScoreInput input{.foundLabels = found->labels,
                          .truthLabels = truth->labels,
                          .foundNormals = found->normals,

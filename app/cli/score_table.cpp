@@ -27,12 +27,13 @@ std::string number(const std::optional<double>& value, int decimals) {
 
 std::string planesText(const std::vector<ScoreRow>& rows) {
   std::vector<std::vector<std::string>> table = {{"scan", "method", "true", "correct", "over", "under",
-                                                  "missed", "noise", "(small)", "share", "angle/°", "seconds"}};
+                                                  "missed", "noise", "(small)", "share", "angle/°",
+                                                  "seconds"}};
   for (const ScoreRow& r : rows)
     table.push_back({r.name, methodName(r.method), std::to_string(r.truthRegions), std::to_string(r.correct),
                      std::to_string(r.over), std::to_string(r.under), std::to_string(r.missed),
-                     std::to_string(r.noise), std::to_string(r.noiseSmall), fixed(r.share, 3), number(r.planeAngleMeanDeg, 2),
-                     fixed(r.seconds, 3)});
+                     std::to_string(r.noise), std::to_string(r.noiseSmall), fixed(r.share, 3),
+                     number(r.planeAngleMeanDeg, 2), fixed(r.seconds, 3)});
   return textTable(table);
 }
 

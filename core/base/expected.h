@@ -9,7 +9,8 @@
 
 namespace stratascope {
 
-/// What is wrong with an input, said so that a person can mend it. Bad input is reported by value; bad calls throw.
+/// What is wrong with an input, said so that a person can mend it. Bad input is reported by value; bad calls
+/// throw.
 struct Error {
   std::string file;    ///< file name as the caller gave it; empty if no file is involved
   std::string where;   ///< "line 12", "byte 4096", "field x"; empty if the whole file is meant
@@ -23,8 +24,8 @@ struct Error {
 /// A value or the Error that stands in its place.
 template <class T>
 class [[nodiscard]] Expected {
- public:
-  Expected(T value) : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT: implicit by design
+public:
+  Expected(T value) : state_(std::in_place_index<0>, std::move(value)) {}      // NOLINT: implicit by design
   Expected(Error error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT
 
   bool hasValue() const { return state_.index() == 0; }
@@ -45,15 +46,18 @@ class [[nodiscard]] Expected {
     return std::get<1>(state_);
   }
 
- private:
+private:
   void need() const {
-    if (!hasValue()) throw std::logic_error("Expected::value() of an error: " + std::get<1>(state_).message());
+    if (!hasValue())
+      throw std::logic_error("Expected::value() of an error: " + std::get<1>(state_).message());
   }
   std::variant<T, Error> state_;
 };
 
 using Status = Expected<std::monostate>;
-inline Status success() { return std::monostate{}; }
+inline Status success() {
+  return std::monostate{};
+}
 
 /// A bad call: throws std::logic_error in every build.
 inline void require(bool condition, const char* message) {

@@ -26,10 +26,11 @@ T zeroValue() {
     return T{};
 }
 
-/// Dense row-major array with both dimensions known at run time. T is never bool (std::vector<bool> has no references).
+/// Dense row-major array with both dimensions known at run time. T is never bool (std::vector<bool> has no
+/// references).
 template <class T>
 class Grid {
- public:
+public:
   Grid() = default;
   Grid(int rows, int cols, const T& fill = zeroValue<T>()) : rows_(rows), cols_(cols) {
     require(rows >= 0 && cols >= 0, "Grid: negative size");
@@ -42,9 +43,12 @@ class Grid {
   bool empty() const { return values_.empty(); }
   bool contains(GridIndex i) const { return i.row >= 0 && i.row < rows_ && i.col >= 0 && i.col < cols_; }
 
-  size_t offset(GridIndex i) const { return static_cast<size_t>(i.row) * static_cast<size_t>(cols_) + static_cast<size_t>(i.col); }
+  size_t offset(GridIndex i) const {
+    return static_cast<size_t>(i.row) * static_cast<size_t>(cols_) + static_cast<size_t>(i.col);
+  }
   GridIndex index(size_t offset) const {
-    return {static_cast<int>(offset / static_cast<size_t>(cols_)), static_cast<int>(offset % static_cast<size_t>(cols_))};
+    return {static_cast<int>(offset / static_cast<size_t>(cols_)),
+            static_cast<int>(offset % static_cast<size_t>(cols_))};
   }
 
   T& operator()(GridIndex i) { return values_[offset(i)]; }
@@ -53,7 +57,9 @@ class Grid {
   const T& operator[](size_t offset) const { return values_[offset]; }
 
   std::span<T> row(int r) { return {values_.data() + offset({r, 0}), static_cast<size_t>(cols_)}; }
-  std::span<const T> row(int r) const { return {values_.data() + offset({r, 0}), static_cast<size_t>(cols_)}; }
+  std::span<const T> row(int r) const {
+    return {values_.data() + offset({r, 0}), static_cast<size_t>(cols_)};
+  }
   std::span<T> values() { return values_; }
   std::span<const T> values() const { return values_; }
 
@@ -67,7 +73,7 @@ class Grid {
 
   bool operator==(const Grid&) const = default;
 
- private:
+private:
   int rows_ = 0;
   int cols_ = 0;
   std::vector<T> values_;

@@ -6,8 +6,9 @@
 
 namespace stratascope {
 
-/// Label of a plane, 0 = none. Its value is 1 + the offset of the plane's first neuron in lattice order, plus the
-/// scan's base when several scans are processed together: so any chunking and any number of threads agree on it.
+/// Label of a plane, 0 = none. Its value is 1 + the offset of the plane's first neuron in lattice order, plus
+/// the scan's base when several scans are processed together: so any chunking and any number of threads agree
+/// on it.
 using PlaneLabel = std::uint32_t;
 inline constexpr PlaneLabel kNoPlane = 0;
 

@@ -20,8 +20,9 @@ inline void throwIfStopped(const Execution& execution) {
   if (execution.stop.stop_requested()) throw Cancelled{};
 }
 
-/// Calls body(begin, end) for consecutive chunks of [0, rows). The chunk bounds depend on rows and chunkRows alone, never
-/// on the number of threads; body must write only to its own rows. Throws Cancelled if asked to stop.
+/// Calls body(begin, end) for consecutive chunks of [0, rows). The chunk bounds depend on rows and chunkRows
+/// alone, never on the number of threads; body must write only to its own rows. Throws Cancelled if asked to
+/// stop.
 void parallelRows(int rows, const Execution& execution, const std::function<void(int begin, int end)>& body,
                   int chunkRows = 16);
 

@@ -11,7 +11,11 @@ inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr float kNaNf = std::numeric_limits<float>::quiet_NaN();
 
-constexpr double degToRad(double deg) { return deg * (kPi / 180.0); }
-constexpr double radToDeg(double rad) { return rad * (180.0 / kPi); }
+constexpr double degToRad(double deg) {
+  return deg * (kPi / 180.0);
+}
+constexpr double radToDeg(double rad) {
+  return rad * (180.0 / kPi);
+}
 
 }  // namespace stratascope

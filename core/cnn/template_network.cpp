@@ -50,12 +50,13 @@ public:
 
   bool empty() const { return taps_.empty(); }
 
-  /// Σ over the neighbourhood of weight·value for every neuron of a line; neurons outside the lattice stand at
-  /// `boundary`. Tap by tap along the line, so that the loop runs over memory in order.
+  /// Σ over the neighbourhood of weight·value for every neuron of a line; neurons outside the lattice stand
+  /// at `boundary`. Tap by tap along the line, so that the loop runs over memory in order.
   void sumLine(const Grid<double>& values, int line, double boundary, std::span<double> sums) const {
     if (taps_.empty()) std::fill(sums.begin(), sums.end(), 0.0);
     for (const Tap& tap : taps_) {
-      if (&tap == &taps_.front() && line + tap.line >= 0 && line + tap.line < values.rows() && tap.beam == 0) {
+      if (&tap == &taps_.front() && line + tap.line >= 0 && line + tap.line < values.rows() &&
+          tap.beam == 0) {
         const double* row = values.row(line + tap.line).data();  // spares a pass of zeros
         for (size_t j = 0; j < sums.size(); ++j) sums[j] = tap.weight * row[j];
         continue;
@@ -98,7 +99,8 @@ TemplateNetwork::TemplateNetwork(CnnTemplate cloningTemplate, Grid<double> state
 }
 
 void TemplateNetwork::restart(const Grid<double>& state) {
-  require(state_.rows() == state.rows() && state_.cols() == state.cols(), "TemplateNetwork: state of another size");
+  require(state_.rows() == state.rows() && state_.cols() == state.cols(),
+          "TemplateNetwork: state of another size");
   state_ = state;
 }
 

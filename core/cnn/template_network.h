@@ -56,7 +56,8 @@ private:
   void computeDrive(const Execution& execution);
 
   CnnTemplate template_;
-  Grid<double> state_, next_, output_, input_, drive_;  // drive = Σ B·u + I, constant in time; empty where it is 0 everywhere
+  Grid<double> state_, next_, output_, input_,
+      drive_;  // drive = Σ B·u + I, constant in time; empty where it is 0 everywhere
   double boundary_;
   bool driveKnown_ = false;
 };

@@ -17,7 +17,8 @@ namespace {
 
 TrueScan simulated(const Scene& scene, const SimulationOptions& options, const Execution& execution) {
   SimulatedScan scan = simulateScan(scene, options, execution);
-  return {std::make_shared<const Scan>(std::move(scan.scan)), std::move(scan.truthLabels), std::move(scan.truthNormals), true};
+  return {std::make_shared<const Scan>(std::move(scan.scan)), std::move(scan.truthLabels),
+          std::move(scan.truthNormals), true};
 }
 
 Expected<TrueScan> synpeb(const std::string& path) {
@@ -68,11 +69,13 @@ void addRooms(RoomKind kind, const char* purpose, const std::vector<std::uint64_
   std::string list;
   for (const std::uint64_t seed : seeds) list += (list.empty() ? "" : ",") + std::to_string(seed);
   for (const std::uint64_t seed : seeds)
-    all.cases.push_back(
-        {std::string(kind == RoomKind::Plain ? "plain" : "furnished") + " rooms " + noise + ", " + purpose + " " + list, "room " + std::to_string(seed) + " " + noise,
-         [kind, seed, sigma](const Execution& execution) -> Expected<TrueScan> {
-           return simulated(randomRoom(seed, kind), {.seed = seed, .sigma = sigma, .systematic = 0}, execution);
-         }});
+    all.cases.push_back({std::string(kind == RoomKind::Plain ? "plain" : "furnished") + " rooms " + noise +
+                             ", " + purpose + " " + list,
+                         "room " + std::to_string(seed) + " " + noise,
+                         [kind, seed, sigma](const Execution& execution) -> Expected<TrueScan> {
+                           return simulated(randomRoom(seed, kind),
+                                            {.seed = seed, .sigma = sigma, .systematic = 0}, execution);
+                         }});
 }
 
 }  // namespace

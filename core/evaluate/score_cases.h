@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/expected.h"
@@ -41,7 +41,7 @@ struct ScoreCaseSelection {
   std::vector<std::uint64_t> tuningSeeds = {1, 2, 3, 4};        ///< of random rooms…
   std::vector<std::uint64_t> checkingSeeds = {11, 12, 13, 14};  ///< …on which nothing was ever tuned
   std::vector<RoomKind> kinds = {RoomKind::Plain, RoomKind::Furnished};
-  std::vector<double> sigmas = {0.005, 0.015};                  ///< of the rooms' range noise, metres
+  std::vector<double> sigmas = {0.005, 0.015};  ///< of the rooms' range noise, metres
 };
 
 struct ScoreCases {
@@ -49,8 +49,8 @@ struct ScoreCases {
   std::vector<std::string> notes;  ///< what is left out, and why
 };
 
-/// Simulated truth is of whole planes, scored by visible pieces; SynPEB's is of pieces already. Rooms have random noise only: a
-/// systematic error moves a wall and is no matter of segmentation.
+/// Simulated truth is of whole planes, scored by visible pieces; SynPEB's is of pieces already. Rooms have
+/// random noise only: a systematic error moves a wall and is no matter of segmentation.
 ScoreCases scoreCases(const ScoreCaseSelection& selection);
 
 }  // namespace stratascope

@@ -51,7 +51,9 @@ std::optional<std::uint64_t> E57Pages::logical(std::uint64_t physical) const {
 }
 
 Expected<E57Pages> openE57Pages(const std::string& path, std::string bytes) {
-  const auto error = [&](std::uint64_t where, std::string what) { return Error{path, "byte " + std::to_string(where), std::move(what), kCutOff}; };
+  const auto error = [&](std::uint64_t where, std::string what) {
+    return Error{path, "byte " + std::to_string(where), std::move(what), kCutOff};
+  };
   if (bytes.size() < kHeaderBytes || !looksLikeE57(bytes)) return error(0, "no E57 header");
   const auto major = at<std::uint32_t>(bytes, 8);
   const auto length = at<std::uint64_t>(bytes, 16);
@@ -60,21 +62,26 @@ Expected<E57Pages> openE57Pages(const std::string& path, std::string bytes) {
   pages.xmlLength = at<std::uint64_t>(bytes, 32);
   pages.pageBytes = at<std::uint64_t>(bytes, 40);
   if (major != 1) return error(8, "E57 version " + std::to_string(major) + " is not known");
-  if (length != bytes.size()) return error(16, "the header says " + std::to_string(length) + " bytes, but the file has " + std::to_string(bytes.size()));
-  if (pages.pageBytes < 64 || pages.pageBytes > (1u << 20) || bytes.size() % pages.pageBytes != 0) return error(40, "pages of " + std::to_string(pages.pageBytes) + " bytes");
+  if (length != bytes.size())
+    return error(16, "the header says " + std::to_string(length) + " bytes, but the file has " +
+                         std::to_string(bytes.size()));
+  if (pages.pageBytes < 64 || pages.pageBytes > (1u << 20) || bytes.size() % pages.pageBytes != 0)
+    return error(40, "pages of " + std::to_string(pages.pageBytes) + " bytes");
   const std::uint64_t content = pages.pageBytes - kChecksumBytes;
   for (std::uint64_t page = 0; page < bytes.size() / pages.pageBytes; ++page) {
     const char* from = bytes.data() + page * pages.pageBytes;
     std::uint32_t stored = 0;
     std::memcpy(&stored, from + content, sizeof stored);
     // the checksum alone is big-endian
-    if (__builtin_bswap32(stored) != crc32c({from, content})) return error(page * pages.pageBytes, "the checksum of page " + std::to_string(page) + " is wrong");
+    if (__builtin_bswap32(stored) != crc32c({from, content}))
+      return error(page * pages.pageBytes, "the checksum of page " + std::to_string(page) + " is wrong");
     std::memmove(bytes.data() + page * content, from, content);
   }
   bytes.resize(bytes.size() / pages.pageBytes * content);
   pages.bytes = std::move(bytes);
   const auto start = pages.logical(xmlAt);
-  if (!start || pages.xmlLength > pages.bytes.size() - *start) return error(24, "the XML section lies outside the file");
+  if (!start || pages.xmlLength > pages.bytes.size() - *start)
+    return error(24, "the XML section lies outside the file");
   pages.xmlAt = *start;
   return pages;
 }

@@ -22,7 +22,9 @@ struct E57Pages {
   std::optional<std::uint64_t> logical(std::uint64_t physical) const;
 };
 
-inline bool looksLikeE57(std::string_view bytes) { return bytes.starts_with("ASTM-E57"); }
+inline bool looksLikeE57(std::string_view bytes) {
+  return bytes.starts_with("ASTM-E57");
+}
 
 /// Checks header and every page's CRC-32C, and strips the checksums in place.
 Expected<E57Pages> openE57Pages(const std::string& path, std::string bytes);

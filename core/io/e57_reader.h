@@ -11,9 +11,10 @@
 
 namespace stratascope {
 
-/// The scans of an E57 file (ASTM E2807): Cartesian or spherical coordinates as floats, integers or scaled integers in the
-/// standard's bit-packed streams; rowIndex and columnIndex give the lattice, columns as lines. Points marked invalid and
-/// second returns are left out; the scan's pose moves it into the common frame. Images are not read.
+/// The scans of an E57 file (ASTM E2807): Cartesian or spherical coordinates as floats, integers or scaled
+/// integers in the standard's bit-packed streams; rowIndex and columnIndex give the lattice, columns as
+/// lines. Points marked invalid and second returns are left out; the scan's pose moves it into the common
+/// frame. Images are not read.
 Expected<std::vector<RawCloud>> readE57(const std::string& path, std::string bytes);
 
 }  // namespace stratascope

@@ -24,7 +24,7 @@ std::vector<OutputFile> contractFiles(const Snapshot& snapshot, const std::strin
 }
 
 Expected<std::vector<std::string>> exportResults(const Snapshot& snapshot, const std::string& directory,
-                                                  std::string_view streamCounters) {
+                                                 std::string_view streamCounters) {
   const Expected<std::string> run = runJson(snapshot, streamCounters);
   if (!run) return run.error();
   return writeFileSet(directory, contractFiles(snapshot, *run));

@@ -40,10 +40,10 @@ std::string intervalsCsv(const Snapshot& snapshot);
 ///   inputs       list of {name, path, bytes, sha256, format, lattice ("native"|"recovered"|"projected"),
 ///   lines, beams,
 ///                missing, points, pose [x, y, z, roll, pitch, yaw] as --pose takes it, sensor [x, y, z],
-///                facing_deg (yaw in the map that counts as facing: the sensor's, or the walls' with align_walls),
-///                unit and axes the file was read in, local_origin [x, y, z] (Scan::localOrigin), fields, notes};
-///                bytes and sha256 are null for a scan that is no file: an empty path, or one with "://" or that
-///                begins with "serial:"
+///                facing_deg (yaw in the map that counts as facing: the sensor's, or the walls' with
+///                align_walls), unit and axes the file was read in, local_origin [x, y, z]
+///                (Scan::localOrigin), fields, notes}; bytes and sha256 are null for a scan that is no file:
+///                an empty path, or one with "://" or that begins with "serial:"
 ///   parameters   every one, as --params reads them
 ///   points       laid down in the map
 ///   counts       {scans, planes, edges, cells (occupied), records}

@@ -16,9 +16,12 @@ struct UnitEntry {
   double metres;
 };
 constexpr std::array kUnits = {
-    UnitEntry{LengthUnit::Auto, "auto", 1},          UnitEntry{LengthUnit::Metre, "m", 1},
-    UnitEntry{LengthUnit::Centimetre, "cm", 0.01},   UnitEntry{LengthUnit::Millimetre, "mm", 0.001},
-    UnitEntry{LengthUnit::Foot, "ft", 0.3048},       UnitEntry{LengthUnit::SurveyFoot, "us-ft", 1200.0 / 3937.0},
+    UnitEntry{LengthUnit::Auto, "auto", 1},
+    UnitEntry{LengthUnit::Metre, "m", 1},
+    UnitEntry{LengthUnit::Centimetre, "cm", 0.01},
+    UnitEntry{LengthUnit::Millimetre, "mm", 0.001},
+    UnitEntry{LengthUnit::Foot, "ft", 0.3048},
+    UnitEntry{LengthUnit::SurveyFoot, "us-ft", 1200.0 / 3937.0},
 };
 
 struct AxesEntry {
@@ -63,19 +66,29 @@ std::optional<LengthUnit> lengthUnitFromText(std::string_view text) {
     if (text == entry.name) return entry.unit;
   return std::nullopt;
 }
-const char* lengthUnitName(LengthUnit unit) { return entryOf(unit).name; }
-double metresPerUnit(LengthUnit unit) { return entryOf(unit).metres; }
-std::vector<std::string> lengthUnitNames() { return namesOf(kUnits); }
+const char* lengthUnitName(LengthUnit unit) {
+  return entryOf(unit).name;
+}
+double metresPerUnit(LengthUnit unit) {
+  return entryOf(unit).metres;
+}
+std::vector<std::string> lengthUnitNames() {
+  return namesOf(kUnits);
+}
 
 std::optional<FileAxes> fileAxesFromText(std::string_view text) {
   for (const AxesEntry& entry : kAxes)
     if (text == entry.name) return entry.axes;
   return std::nullopt;
 }
-const char* fileAxesName(FileAxes axes) { return entryOf(axes).name; }
+const char* fileAxesName(FileAxes axes) {
+  return entryOf(axes).name;
+}
 Eigen::Matrix3d oursFromFileAxes(FileAxes axes) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(entryOf(axes).rows.data());
 }
-std::vector<std::string> fileAxesNames() { return namesOf(kAxes); }
+std::vector<std::string> fileAxesNames() {
+  return namesOf(kAxes);
+}
 
 }  // namespace stratascope

@@ -17,14 +17,15 @@ enum class LengthUnit : std::uint8_t { Auto, Metre, Centimetre, Millimetre, Foot
 /// The axes a file's coordinates are written in. Ours are x forward, y left, z up.
 enum class FileAxes : std::uint8_t {
   Auto,
-  ZUp,          ///< as ours
-  YUp,          ///< x right, y up, z backward: computer graphics
-  YUpForward,   ///< x right, y up, z forward: left-handed, as UOS scans
-  YDown,        ///< x right, y down, z forward: a camera's frame
-  ZDown,        ///< x forward, y right, z down: vehicles
+  ZUp,         ///< as ours
+  YUp,         ///< x right, y up, z backward: computer graphics
+  YUpForward,  ///< x right, y up, z forward: left-handed, as UOS scans
+  YDown,       ///< x right, y down, z forward: a camera's frame
+  ZDown,       ///< x forward, y right, z down: vehicles
 };
 
-/// What the caller says about a file's coordinates; Auto = as the format or the file says, else guessed with care.
+/// What the caller says about a file's coordinates; Auto = as the format or the file says, else guessed with
+/// care.
 struct FileFrame {
   LengthUnit unit = LengthUnit::Auto;
   FileAxes axes = FileAxes::Auto;
@@ -41,7 +42,8 @@ std::vector<std::string> lengthUnitNames();
 /// "auto", "z-up", "y-up", "y-up-forward", "y-down", "z-down"; none for any other text.
 std::optional<FileAxes> fileAxesFromText(std::string_view text);
 const char* fileAxesName(FileAxes axes);
-/// ours_R_file: a signed permutation, so that turning never rounds; the identity for Auto. Determinant −1 for left-handed axes.
+/// ours_R_file: a signed permutation, so that turning never rounds; the identity for Auto. Determinant −1 for
+/// left-handed axes.
 Eigen::Matrix3d oursFromFileAxes(FileAxes axes);
 std::vector<std::string> fileAxesNames();
 

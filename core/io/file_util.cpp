@@ -17,11 +17,13 @@ namespace stratascope {
 
 namespace {
 
-std::string causeOf(int errorNumber) { return std::generic_category().message(errorNumber); }
+std::string causeOf(int errorNumber) {
+  return std::generic_category().message(errorNumber);
+}
 
 /// Closes on leaving the scope; close() tells whether that worked.
 class Descriptor {
- public:
+public:
   explicit Descriptor(int fd) : fd_(fd) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -33,7 +35,7 @@ class Descriptor {
     return fd < 0 || ::close(fd) == 0;
   }
 
- private:
+private:
   int fd_;
 };
 
@@ -53,7 +55,8 @@ Error unwritable(const std::string& path, int errorNumber) {
   if (errorNumber == ENOSPC || errorNumber == EDQUOT)
     return {path, "", "cannot be written: the disk is full (" + causeOf(errorNumber) + ")",
             "free some space or choose another folder"};
-  if (errorNumber == ENOENT) return {path, "", "cannot be written: its folder does not exist", "make the folder first"};
+  if (errorNumber == ENOENT)
+    return {path, "", "cannot be written: its folder does not exist", "make the folder first"};
   return {path, "", "cannot be written: " + causeOf(errorNumber), "choose another file or folder"};
 }
 
@@ -72,7 +75,8 @@ int writeAll(int fd, std::string_view bytes) {
 /// A file of its own name beside the target, so that the rename stays inside one file system.
 std::string temporaryBeside(const std::filesystem::path& target) {
   static std::atomic<unsigned> counter{0};
-  return (target.parent_path() / (".stratascope-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp"))
+  return (target.parent_path() /
+          (".stratascope-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp"))
       .string();
 }
 
@@ -80,29 +84,36 @@ std::string temporaryBeside(const std::filesystem::path& target) {
 
 Expected<std::string> readFile(const std::string& path, std::uint64_t maxBytes) {
   if (path.empty()) return Error{path, "", "no file name given", "name a file"};
-  if (path.find('\0') != std::string::npos) return Error{path, "", "the file name holds a NUL byte", "check the name"};
+  if (path.find('\0') != std::string::npos)
+    return Error{path, "", "the file name holds a NUL byte", "check the name"};
   // O_NONBLOCK: opening a pipe must not wait for someone to write to it
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (file.get() < 0) return unreadable(path, errno);
-  struct stat info{};
+  struct stat info {};
   if (::fstat(file.get(), &info) != 0) return unreadable(path, errno);
-  if (!S_ISREG(info.st_mode)) return Error{path, "", std::string(kindOf(info.st_mode)) + ", not a file", "name a regular file"};
+  if (!S_ISREG(info.st_mode))
+    return Error{path, "", std::string(kindOf(info.st_mode)) + ", not a file", "name a regular file"};
   const auto size = static_cast<std::uint64_t>(info.st_size);
   if (size > maxBytes)
-    return Error{path, "", "too large: " + std::to_string(size) + " bytes, at most " + std::to_string(maxBytes) + " are read",
-                 "split or thin the file"};
+    return Error{
+        path, "",
+        "too large: " + std::to_string(size) + " bytes, at most " + std::to_string(maxBytes) + " are read",
+        "split or thin the file"};
   std::string bytes;
   try {
     bytes.resize(size);
   } catch (const std::bad_alloc&) {
-    return Error{path, "", "its " + std::to_string(size) + " bytes do not fit into memory", "split or thin the file"};
+    return Error{path, "", "its " + std::to_string(size) + " bytes do not fit into memory",
+                 "split or thin the file"};
   }
   std::uint64_t done = 0;
   while (done < size) {
-    const ssize_t count = ::read(file.get(), bytes.data() + done, std::min<std::uint64_t>(size - done, 1u << 30));
+    const ssize_t count =
+        ::read(file.get(), bytes.data() + done, std::min<std::uint64_t>(size - done, 1u << 30));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return unreadable(path, errno);
-    if (count == 0) return Error{path, "", "became shorter while it was read", "wait until it is written completely"};
+    if (count == 0)
+      return Error{path, "", "became shorter while it was read", "wait until it is written completely"};
     done += static_cast<std::uint64_t>(count);
   }
   return bytes;
@@ -110,17 +121,19 @@ Expected<std::string> readFile(const std::string& path, std::uint64_t maxBytes) 
 
 Status writeFileAtomically(const std::string& path, std::string_view bytes) {
   namespace fs = std::filesystem;
-  if (path.empty() || path.find('\0') != std::string::npos) return Error{path, "", "no usable file name given", "name a file"};
+  if (path.empty() || path.find('\0') != std::string::npos)
+    return Error{path, "", "no usable file name given", "name a file"};
   // A link stays a link: what it points to is replaced.
   std::error_code failed;
   fs::path target = path;
   if (fs::is_symlink(target, failed))
     if (const fs::path resolved = fs::weakly_canonical(target, failed); !failed) target = resolved;
   mode_t mode = 0;
-  struct stat info{};
+  struct stat info {};
   if (::stat(target.c_str(), &info) == 0) {
     if (!S_ISREG(info.st_mode))
-      return Error{path, "", "cannot be written: " + std::string(kindOf(info.st_mode)), "name a regular file"};
+      return Error{path, "", "cannot be written: " + std::string(kindOf(info.st_mode)),
+                   "name a regular file"};
     mode = info.st_mode & 07777;
   }
 
@@ -145,7 +158,8 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // The new file is whole and in place; only an I/O error here means it may not survive a power cut.
-  if (directory.get() >= 0 && ::fsync(directory.get()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT))
+  if (directory.get() >= 0 && ::fsync(directory.get()) != 0 &&
+      (errno == EIO || errno == ENOSPC || errno == EDQUOT))
     return unwritable(path, errno);
   return success();
 }
@@ -153,7 +167,8 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
 std::string sha256Hex(std::string_view bytes) {
   unsigned char digest[EVP_MAX_MD_SIZE];
   unsigned length = 0;
-  require(EVP_Digest(bytes.data(), bytes.size(), digest, &length, EVP_sha256(), nullptr) == 1, "sha256Hex: OpenSSL failed");
+  require(EVP_Digest(bytes.data(), bytes.size(), digest, &length, EVP_sha256(), nullptr) == 1,
+          "sha256Hex: OpenSSL failed");
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   for (unsigned i = 0; i < length; ++i) {

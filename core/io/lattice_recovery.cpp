@@ -31,13 +31,15 @@ std::vector<Ray> raysOf(const RawCloud& cloud, const Eigen::Vector3f& sensor) {
   return rays;
 }
 
-double turnBetween(double from, double to) { return std::remainder(to - from, 2 * kPi); }
+double turnBetween(double from, double to) {
+  return std::remainder(to - from, 2 * kPi);
+}
 
 /// Elevation of each ring if the rays come in turns of so many; empty if they do not.
 std::vector<double> ringElevations(const std::vector<Ray>& rays, size_t rings) {
-  const double kSpread = degToRad(0.1);    // of a ring's rays about its middle
-  const double kApart = degToRad(0.15);    // from ring to ring
-  constexpr double kStray = 0.001;         // share of rays that may lie off
+  const double kSpread = degToRad(0.1);  // of a ring's rays about its middle
+  const double kApart = degToRad(0.15);  // from ring to ring
+  constexpr double kStray = 0.001;       // share of rays that may lie off
   constexpr size_t kFewestTurns = 64;
   if (rays.size() % rings != 0 || rays.size() / rings < kFewestTurns) return {};
   std::vector<double> middles;
@@ -53,7 +55,8 @@ std::vector<double> ringElevations(const std::vector<Ray>& rays, size_t rings) {
     const double at = *middle;
     middles.push_back(at);
     valid += elevations.size();
-    strays += static_cast<size_t>(std::count_if(elevations.begin(), elevations.end(), [&](double e) { return std::abs(e - at) > kSpread; }));
+    strays += static_cast<size_t>(std::count_if(elevations.begin(), elevations.end(),
+                                                [&](double e) { return std::abs(e - at) > kSpread; }));
   }
   if (static_cast<double>(strays) > kStray * static_cast<double>(valid)) return {};
   std::vector<double> sorted = middles;
@@ -87,7 +90,9 @@ bool turnsEvenly(const std::vector<Ray>& rays, size_t rings) {
     if (!std::isnan(last)) (turnBetween(last, at) >= 0 ? onward : backward)++;
     last = at;
   }
-  const auto most = [&](size_t part, size_t all) { return static_cast<double>(part) >= kShare * static_cast<double>(all); };
+  const auto most = [&](size_t part, size_t all) {
+    return static_cast<double>(part) >= kShare * static_cast<double>(all);
+  };
   return turns >= 16 && most(narrow, turns) && most(std::max(onward, backward), turns - 1);
 }
 
@@ -102,14 +107,17 @@ bool recoverRings(RawCloud& cloud, const std::vector<Ray>& rays) {
     for (size_t start = 0; start < placed.size(); start += rings)
       for (size_t beam = 0; beam < rings; ++beam) {
         const size_t from = start + order[beam];
-        placed[start + beam] = rays[from].valid() ? cloud.points[from] : Eigen::Vector3f(Eigen::Vector3f::Constant(kNaNf));
+        placed[start + beam] =
+            rays[from].valid() ? cloud.points[from] : Eigen::Vector3f(Eigen::Vector3f::Constant(kNaNf));
       }
     cloud.points = std::move(placed);
     cloud.beams = static_cast<int>(rings);
     cloud.lines = static_cast<int>(cloud.points.size() / rings);
     const bool sorted = std::is_sorted(order.begin(), order.end());
-    cloud.notes.push_back("Lattice recovered from the order of the points: " + std::to_string(cloud.lines) + " turns of " + std::to_string(rings) +
-                          (sorted ? " rings." : " rings, which stood in firing order and are sorted by elevation."));
+    cloud.notes.push_back(
+        "Lattice recovered from the order of the points: " + std::to_string(cloud.lines) + " turns of " +
+        std::to_string(rings) +
+        (sorted ? " rings." : " rings, which stood in firing order and are sorted by elevation."));
     return true;
   }
   return false;
@@ -121,7 +129,8 @@ struct Sweep {
   size_t size() const { return last - first; }
 };
 
-/// Where the elevation turns back a new sweep begins. `sign`: +1 for sweeps that rise, −1 for sweeps that fall.
+/// Where the elevation turns back a new sweep begins. `sign`: +1 for sweeps that rise, −1 for sweeps that
+/// fall.
 std::vector<Sweep> sweepsOf(const std::vector<Ray>& rays, int sign) {
   std::vector<Sweep> sweeps;
   for (size_t i = 0; i < rays.size(); ++i) {
@@ -135,7 +144,9 @@ std::vector<Sweep> sweepsOf(const std::vector<Ray>& rays, int sign) {
 struct BeamGrid {
   double first = 0, step = 0;
   size_t beams = 0;
-  size_t beamOf(double elevation) const { return static_cast<size_t>(std::lround((elevation - first) / step)); }
+  size_t beamOf(double elevation) const {
+    return static_cast<size_t>(std::lround((elevation - first) / step));
+  }
 };
 
 std::optional<BeamGrid> evenGrid(const std::vector<Ray>& rays, const std::vector<Sweep>& sweeps, int sign) {
@@ -143,7 +154,8 @@ std::optional<BeamGrid> evenGrid(const std::vector<Ray>& rays, const std::vector
   constexpr size_t kMostBeams = 16384;
   std::vector<double> steps;
   for (const Sweep& sweep : sweeps)
-    for (size_t i = sweep.first + 1; i < sweep.last; ++i) steps.push_back(rays[i].elevation - rays[i - 1].elevation);
+    for (size_t i = sweep.first + 1; i < sweep.last; ++i)
+      steps.push_back(rays[i].elevation - rays[i - 1].elevation);
   if (steps.empty()) return std::nullopt;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
@@ -151,8 +163,10 @@ std::optional<BeamGrid> evenGrid(const std::vector<Ray>& rays, const std::vector
   grid.step = *middle;
   grid.first = rays[0].elevation;
   double start = grid.first;
-  for (const Ray& ray : rays) start = sign > 0 ? std::min(start, ray.elevation) : std::max(start, ray.elevation);
-  // The middle step is a little off; a line through all rays is not. Nearest rays' rounding weighs no more than others'.
+  for (const Ray& ray : rays)
+    start = sign > 0 ? std::min(start, ray.elevation) : std::max(start, ray.elevation);
+  // The middle step is a little off; a line through all rays is not. Nearest rays' rounding weighs no more
+  // than others'.
   double n = 0, sk = 0, se = 0, skk = 0, ske = 0;
   for (const Ray& ray : rays) {
     const double k = std::round((ray.elevation - start) / grid.step);
@@ -174,7 +188,9 @@ std::optional<BeamGrid> evenGrid(const std::vector<Ray>& rays, const std::vector
 bool recoverSweeps(RawCloud& cloud, const std::vector<Ray>& rays) {
   const double kAzimuth = degToRad(0.02);  // within a sweep
   constexpr size_t kFewestSweeps = 16, kFewestBeams = 16;
-  if (!std::all_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.valid(); }) || rays.size() < kFewestSweeps * kFewestBeams) return false;
+  if (!std::all_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.valid(); }) ||
+      rays.size() < kFewestSweeps * kFewestBeams)
+    return false;
   for (const int sign : {-1, 1}) {
     const std::vector<Sweep> sweeps = sweepsOf(rays, sign);
     if (sweeps.size() < kFewestSweeps || rays.size() < kFewestBeams * sweeps.size()) continue;
@@ -187,23 +203,32 @@ bool recoverSweeps(RawCloud& cloud, const std::vector<Ray>& rays) {
     const auto grid = evenGrid(rays, sweeps, sign);
     if (!grid || grid->beams < kFewestBeams) continue;
     // Half of the places and more must be filled, else the grid may be finer than the scanner's.
-    const auto points = [&](const Sweep& sweep) { return cloud.points.begin() + static_cast<std::ptrdiff_t>(sweep.first); };
+    const auto points = [&](const Sweep& sweep) {
+      return cloud.points.begin() + static_cast<std::ptrdiff_t>(sweep.first);
+    };
     std::vector<Sweep> kept;
     for (const Sweep& sweep : sweeps)
-      if (kept.empty() || kept.back().size() != sweep.size() || !std::equal(points(sweep), points(sweep) + static_cast<std::ptrdiff_t>(sweep.size()), points(kept.back())))
+      if (kept.empty() || kept.back().size() != sweep.size() ||
+          !std::equal(points(sweep), points(sweep) + static_cast<std::ptrdiff_t>(sweep.size()),
+                      points(kept.back())))
         kept.push_back(sweep);
-    const size_t filled = std::accumulate(kept.begin(), kept.end(), size_t{0}, [](size_t sum, const Sweep& sweep) { return sum + sweep.size(); });
+    const size_t filled = std::accumulate(kept.begin(), kept.end(), size_t{0},
+                                          [](size_t sum, const Sweep& sweep) { return sum + sweep.size(); });
     if (2 * filled < kept.size() * grid->beams) continue;
     std::vector<Eigen::Vector3f> placed(kept.size() * grid->beams, Eigen::Vector3f::Constant(kNaNf));
     for (size_t line = 0; line < kept.size(); ++line)
-      for (size_t i = kept[line].first; i < kept[line].last; ++i) placed[line * grid->beams + grid->beamOf(rays[i].elevation)] = cloud.points[i];
+      for (size_t i = kept[line].first; i < kept[line].last; ++i)
+        placed[line * grid->beams + grid->beamOf(rays[i].elevation)] = cloud.points[i];
     const size_t repeated = cloud.points.size() - filled;
     cloud.points = std::move(placed);
     cloud.lines = static_cast<int>(kept.size());
     cloud.beams = static_cast<int>(grid->beams);
-    cloud.notes.push_back("Lattice recovered from the points: " + std::to_string(kept.size()) + " upright sweeps of " + std::to_string(grid->beams) +
-                          " beams on an even grid; " + std::to_string(cloud.points.size() - filled) + " missing returns.");
-    if (repeated > 0) cloud.notes.push_back(std::to_string(repeated) + " points of lines that stand twice in a row are taken once.");
+    cloud.notes.push_back("Lattice recovered from the points: " + std::to_string(kept.size()) +
+                          " upright sweeps of " + std::to_string(grid->beams) + " beams on an even grid; " +
+                          std::to_string(cloud.points.size() - filled) + " missing returns.");
+    if (repeated > 0)
+      cloud.notes.push_back(std::to_string(repeated) +
+                            " points of lines that stand twice in a row are taken once.");
     return true;
   }
   return false;

@@ -12,11 +12,12 @@ namespace stratascope {
 /// From here on a float's step is 2 mm and more: coordinates in metres lose what a scanner measures.
 inline constexpr double kFarCoordinate = 16384;
 
-/// Keeps far coordinates (a survey's eastings and northings) exact: an axis whose first coordinate is beyond kFarCoordinate
-/// is counted from a round number near it. Near coordinates pass untouched, bit for bit.
+/// Keeps far coordinates (a survey's eastings and northings) exact: an axis whose first coordinate is beyond
+/// kFarCoordinate is counted from a round number near it. Near coordinates pass untouched, bit for bit.
 class LocalOrigin {
- public:
-  /// p less the origin; NaN in all three for a point that is not finite, and for 0 0 0 among far points, which is filler.
+public:
+  /// p less the origin; NaN in all three for a point that is not finite, and for 0 0 0 among far points,
+  /// which is filler.
   Eigen::Vector3f shifted(const Eigen::Vector3d& p) {
     if (!p.allFinite()) return Eigen::Vector3f::Constant(kNaNf);
     if (!fixed_ && !p.isZero(0)) fixFrom(p);
@@ -36,7 +37,7 @@ class LocalOrigin {
   /// A point of the file = the shifted point + origin().
   const Eigen::Vector3d& origin() const { return origin_; }
 
- private:
+private:
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   bool fixed_ = false;
   bool far_ = false;

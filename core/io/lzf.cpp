@@ -12,8 +12,11 @@ constexpr const char* kRemedy = "save the file again, or as plain binary";
 
 Expected<std::string> lzfUnpack(std::string_view packed, std::uint64_t size, std::uint64_t firstByte) {
   size_t in = 0;
-  const auto fail = [&](const char* what) { return Error{"", "byte " + std::to_string(firstByte + in), what, kRemedy}; };
-  if (size / kMaxExpansion > packed.size()) return fail("the compressed data are too short for what they should unpack to");
+  const auto fail = [&](const char* what) {
+    return Error{"", "byte " + std::to_string(firstByte + in), what, kRemedy};
+  };
+  if (size / kMaxExpansion > packed.size())
+    return fail("the compressed data are too short for what they should unpack to");
 
   std::string out;
   out.reserve(size);
@@ -32,7 +35,8 @@ Expected<std::string> lzfUnpack(std::string_view packed, std::uint64_t size, std
     if (packed.size() - in < bytes) return fail("the compressed data end inside a repetition");
     if (length == 7) length += static_cast<unsigned char>(packed[in + 1]);
     length += 2;
-    const size_t distance = ((control & size_t{31}) << 8) + static_cast<unsigned char>(packed[in + bytes - 1]) + 1;
+    const size_t distance =
+        ((control & size_t{31}) << 8) + static_cast<unsigned char>(packed[in + bytes - 1]) + 1;
     if (distance > out.size()) return fail("the compressed data repeat something before their start");
     if (size - out.size() < length) return fail("the compressed data unpack to more than they should");
     // byte by byte: source and target may overlap, that is how runs are written

@@ -10,8 +10,8 @@
 
 namespace stratascope {
 
-/// Unpacks LZF data of `size` bytes exactly. Allocates nothing before it is sure that the packed bytes can yield that much.
-/// Errors carry what and where ("byte N", counted from firstByte), not the file.
+/// Unpacks LZF data of `size` bytes exactly. Allocates nothing before it is sure that the packed bytes can
+/// yield that much. Errors carry what and where ("byte N", counted from firstByte), not the file.
 Expected<std::string> lzfUnpack(std::string_view packed, std::uint64_t size, std::uint64_t firstByte = 0);
 
 }  // namespace stratascope

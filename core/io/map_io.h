@@ -39,14 +39,14 @@ Expected<OpenedMap> readMap(const std::string& path, const MapAssumptions& assum
 /// and grouping, and the labels that `process` gives when it gets the same scans in the order of their names.
 /// A plane's label in the run of its scan alone is its label here − label_base of the scan.
 ///
-/// Errors: different cell sizes, ε or local origins; the paper's rule, whose records depend on the order of the points; more
-/// labels than 32 bits hold. Notes: scans that are in it more than once.
+/// Errors: different cell sizes, ε or local origins; the paper's rule, whose records depend on the order of
+/// the points; more labels than 32 bits hold. Notes: scans that are in it more than once.
 Expected<OpenedMap> mergeMaps(const std::vector<OpenedMap>& maps);
 
-/// What is written for a map at `path`, by its extension: .strata; .csv (intervals.csv) or .asc (the 2.5D map), with
-/// mapDocument() as PATH.json; .tif (the 2.5D map); .ply or .vtp (mesh of the extended map); without an extension a
-/// directory of map.strata, intervals.csv, height_map.asc and run.json. `directory` becomes where they go. Errors:
-/// another extension; a 2.5D map of too many cells; a GeoTIFF without GDAL.
+/// What is written for a map at `path`, by its extension: .strata; .csv (intervals.csv) or .asc (the 2.5D
+/// map), with mapDocument() as PATH.json; .tif (the 2.5D map); .ply or .vtp (mesh of the extended map);
+/// without an extension a directory of map.strata, intervals.csv, height_map.asc and run.json. `directory`
+/// becomes where they go. Errors: another extension; a 2.5D map of too many cells; a GeoTIFF without GDAL.
 Expected<std::vector<OutputFile>> mapFiles(const StoredMap& stored, const std::string& path,
                                            std::string& directory);
 

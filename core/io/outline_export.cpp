@@ -241,7 +241,8 @@ std::string outlinesGeoJson(const Snapshot& snapshot, const Provenance& provenan
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   };
   std::string text =
-      "{\"type\": \"FeatureCollection\", \"crs\": null,\n\"frame\": \"metres, x y z of the map, no longitude and "
+      "{\"type\": \"FeatureCollection\", \"crs\": null,\n\"frame\": \"metres, x y z of the map, no longitude "
+      "and "
       "latitude\",\n"
       "\"provenance\": " +
       line(Json(provenance)) + ",\n\"features\": [";

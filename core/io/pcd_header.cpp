@@ -15,8 +15,8 @@ namespace stratascope {
 namespace {
 
 constexpr size_t kMaxHeaderBytes = size_t{64} << 10;
-constexpr std::array kKeywords = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT", "WIDTH",
-                                  "HEIGHT",  "POINTS", "VIEWPOINT", "DATA"};
+constexpr std::array kKeywords = {"VERSION", "FIELDS", "SIZE",   "TYPE",      "COUNT",
+                                  "WIDTH",   "HEIGHT", "POINTS", "VIEWPOINT", "DATA"};
 
 struct Entry {
   std::uint64_t line = 0;
@@ -25,7 +25,7 @@ struct Entry {
 
 /// The header's lines by keyword, before anything is made of their values.
 class Entries {
- public:
+public:
   Entries(const std::string& path, std::string_view bytes) : path_(path), bytes_(bytes) {}
 
   std::optional<Error> collect();
@@ -37,12 +37,13 @@ class Entries {
     return {path_, "line " + std::to_string(entry.line), std::move(what), std::move(remedy)};
   }
   Error missing(const std::string& keyword) const {
-    return {path_, "header", "there is no " + keyword + " line", "add it, or save the file again from the program it comes from"};
+    return {path_, "header", "there is no " + keyword + " line",
+            "add it, or save the file again from the program it comes from"};
   }
   std::uint64_t bodyOffset() const { return bodyOffset_; }
   std::uint64_t bodyLine() const { return bodyLine_; }
 
- private:
+private:
   const std::string& path_;
   std::string_view bytes_;
   std::map<std::string, Entry> entries_;
@@ -60,12 +61,16 @@ std::optional<Error> Entries::collect() {
     std::string keyword(first);
     if (keyword == "COLUMNS") keyword = "FIELDS";  // its name before version 0.6
     if (std::find(kKeywords.begin(), kKeywords.end(), keyword) == kKeywords.end())
-      return Error{path_, lines.where(), "unknown header keyword " + quotedText(first), "is this a PCD file? Remove the line if it is"};
+      return Error{path_, lines.where(), "unknown header keyword " + quotedText(first),
+                   "is this a PCD file? Remove the line if it is"};
     if (!lines.hasLineEnd())
-      return Error{path_, lines.where(), "the file ends inside its header", "it is cut off: copy or save it again"};
+      return Error{path_, lines.where(), "the file ends inside its header",
+                   "it is cut off: copy or save it again"};
     Entry entry{lines.number(), {}};
-    for (std::string_view token = takeToken(rest); !token.empty(); token = takeToken(rest)) entry.values.push_back(token);
-    if (entry.values.empty()) return Error{path_, lines.where(), keyword + " has no value", "save the file again"};
+    for (std::string_view token = takeToken(rest); !token.empty(); token = takeToken(rest))
+      entry.values.push_back(token);
+    if (entry.values.empty())
+      return Error{path_, lines.where(), keyword + " has no value", "save the file again"};
     if (!entries_.emplace(keyword, std::move(entry)).second)
       return Error{path_, lines.where(), keyword + " is there twice", "keep one of the two lines"};
     if (keyword == "DATA") {
@@ -75,14 +80,17 @@ std::optional<Error> Entries::collect() {
     }
   }
   if (bytes_.size() > kMaxHeaderBytes)
-    return Error{path_, "header", "no DATA line within the first 64 KiB", "is this a PCD file? Save it again if it is"};
+    return Error{path_, "header", "no DATA line within the first 64 KiB",
+                 "is this a PCD file? Save it again if it is"};
   return missing("DATA");
 }
 
 Expected<std::uint64_t> oneCount(const Entries& entries, const Entry& entry, const char* keyword) {
   const auto value = entry.values.size() == 1 ? countFromText(entry.values[0]) : std::nullopt;
   if (!value || *value < 1 || *value > std::numeric_limits<std::int32_t>::max())
-    return entries.errorAt(entry, std::string(keyword) + " must be one whole number from 1 to 2147483647, here " + quotedText(entry.values[0]),
+    return entries.errorAt(entry,
+                           std::string(keyword) + " must be one whole number from 1 to 2147483647, here " +
+                               quotedText(entry.values[0]),
                            "correct it, or save the file again");
   return *value;
 }
@@ -98,7 +106,8 @@ Expected<std::vector<PcdField>> fieldsOf(const Entries& entries) {
   for (const Entry* entry : {sizes, types, counts})
     if (entry && entry->values.size() != names->values.size())
       return entries.errorAt(*entry,
-                             std::to_string(entry->values.size()) + " values for " + std::to_string(names->values.size()) + " fields",
+                             std::to_string(entry->values.size()) + " values for " +
+                                 std::to_string(names->values.size()) + " fields",
                              "give one value for each name in FIELDS");
   std::vector<PcdField> fields;
   for (size_t f = 0; f < names->values.size(); ++f) {
@@ -107,18 +116,23 @@ Expected<std::vector<PcdField>> fieldsOf(const Entries& entries) {
     const auto size = countFromText(sizes->values[f]);
     const std::string_view type = types->values[f];
     if (type != "F" && type != "I" && type != "U")
-      return entries.errorAt(*types, "TYPE of field " + quotedText(field.name) + " is " + quotedText(type) + ", not F, I or U",
-                             "correct it, or save the file again");
+      return entries.errorAt(
+          *types, "TYPE of field " + quotedText(field.name) + " is " + quotedText(type) + ", not F, I or U",
+          "correct it, or save the file again");
     field.type = type[0];
     if (!size || !(*size == 4 || *size == 8 || (field.type != 'F' && (*size == 1 || *size == 2))))
-      return entries.errorAt(*sizes, "SIZE of field " + quotedText(field.name) + " is " + quotedText(sizes->values[f]) + ", not one its type has",
+      return entries.errorAt(*sizes,
+                             "SIZE of field " + quotedText(field.name) + " is " +
+                                 quotedText(sizes->values[f]) + ", not one its type has",
                              "F has 4 or 8 bytes, I and U have 1, 2, 4 or 8");
     field.size = static_cast<unsigned>(*size);
     if (counts) {
       const auto count = countFromText(counts->values[f]);
       // the upper bound keeps every product of this header within 64 bits
       if (!count || *count < 1 || *count > std::numeric_limits<std::int32_t>::max())
-        return entries.errorAt(*counts, "COUNT of field " + quotedText(field.name) + " is " + quotedText(counts->values[f]) + ", not 1 or more",
+        return entries.errorAt(*counts,
+                               "COUNT of field " + quotedText(field.name) + " is " +
+                                   quotedText(counts->values[f]) + ", not 1 or more",
                                "correct it, or save the file again");
       field.count = *count;
     }
@@ -131,7 +145,8 @@ Expected<std::vector<PcdField>> fieldsOf(const Entries& entries) {
 Expected<Eigen::Isometry3d> viewpointOf(const Entries& entries, const Entry& entry) {
   const char* const remedy = "write VIEWPOINT tx ty tz qw qx qy qz, or 0 0 0 1 0 0 0";
   std::array<double, 7> v{};
-  if (entry.values.size() != v.size()) return entries.errorAt(entry, "VIEWPOINT does not have 7 numbers", remedy);
+  if (entry.values.size() != v.size())
+    return entries.errorAt(entry, "VIEWPOINT does not have 7 numbers", remedy);
   for (size_t i = 0; i < v.size(); ++i) {
     const auto number = numberFromText(entry.values[i]);
     if (!number || !std::isfinite(*number) || std::abs(*number) > 1e9)
@@ -180,8 +195,10 @@ Expected<PcdHeader> parsePcdHeader(const std::string& path, std::string_view byt
   const Entry* version = entries.find("VERSION");
   if (!version) return entries.missing("VERSION");
   constexpr std::array kVersions = {"0.7", ".7", "0.6", ".6", "0.5", ".5"};
-  if (version->values.size() != 1 || std::find(kVersions.begin(), kVersions.end(), version->values[0]) == kVersions.end())
-    return entries.errorAt(*version, "PCD version " + quotedText(version->values[0]) + " is not known", "save the file as version 0.7");
+  if (version->values.size() != 1 ||
+      std::find(kVersions.begin(), kVersions.end(), version->values[0]) == kVersions.end())
+    return entries.errorAt(*version, "PCD version " + quotedText(version->values[0]) + " is not known",
+                           "save the file as version 0.7");
 
   auto fields = fieldsOf(entries);
   if (!fields) return fields.error();
@@ -212,11 +229,13 @@ Expected<PcdHeader> parsePcdHeader(const std::string& path, std::string_view byt
   }
   const std::uint64_t product = header.width * header.height;
   if (const Entry* entry = entries.find("POINTS"); entry && product != header.points)
-    return entries.errorAt(*entry,
-                           "POINTS " + std::to_string(header.points) + " is not WIDTH · HEIGHT = " + std::to_string(product),
-                           "correct the header, or save the file again");
+    return entries.errorAt(
+        *entry,
+        "POINTS " + std::to_string(header.points) + " is not WIDTH · HEIGHT = " + std::to_string(product),
+        "correct the header, or save the file again");
   if (product > std::numeric_limits<std::int32_t>::max())
-    return entries.errorAt(*entries.find("WIDTH"), "WIDTH · HEIGHT = " + std::to_string(product) + " is more than 2147483647 points",
+    return entries.errorAt(*entries.find("WIDTH"),
+                           "WIDTH · HEIGHT = " + std::to_string(product) + " is more than 2147483647 points",
                            "split or thin the cloud");
   header.points = product;
 
@@ -234,8 +253,9 @@ Expected<PcdHeader> parsePcdHeader(const std::string& path, std::string_view byt
   else if (data.values.size() == 1 && data.values[0] == "binary_compressed")
     header.encoding = PcdEncoding::BinaryCompressed;
   else
-    return entries.errorAt(data, "DATA " + quotedText(data.values[0]) + " is not ascii, binary or binary_compressed",
-                           "save the file again as binary");
+    return entries.errorAt(
+        data, "DATA " + quotedText(data.values[0]) + " is not ascii, binary or binary_compressed",
+        "save the file again as binary");
   return header;
 }
 

@@ -18,21 +18,21 @@ constexpr size_t kMaxProperties = 256;
 
 std::optional<PlyType> typeFromText(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{{"char", PlyType::Int8},
-                                                                           {"int8", PlyType::Int8},
-                                                                           {"uchar", PlyType::Uint8},
-                                                                           {"uint8", PlyType::Uint8},
-                                                                           {"short", PlyType::Int16},
-                                                                           {"int16", PlyType::Int16},
-                                                                           {"ushort", PlyType::Uint16},
-                                                                           {"uint16", PlyType::Uint16},
-                                                                           {"int", PlyType::Int32},
-                                                                           {"int32", PlyType::Int32},
-                                                                           {"uint", PlyType::Uint32},
-                                                                           {"uint32", PlyType::Uint32},
-                                                                           {"float", PlyType::Float},
-                                                                           {"float32", PlyType::Float},
-                                                                           {"double", PlyType::Double},
-                                                                           {"float64", PlyType::Double}}};
+                                                                            {"int8", PlyType::Int8},
+                                                                            {"uchar", PlyType::Uint8},
+                                                                            {"uint8", PlyType::Uint8},
+                                                                            {"short", PlyType::Int16},
+                                                                            {"int16", PlyType::Int16},
+                                                                            {"ushort", PlyType::Uint16},
+                                                                            {"uint16", PlyType::Uint16},
+                                                                            {"int", PlyType::Int32},
+                                                                            {"int32", PlyType::Int32},
+                                                                            {"uint", PlyType::Uint32},
+                                                                            {"uint32", PlyType::Uint32},
+                                                                            {"float", PlyType::Float},
+                                                                            {"float32", PlyType::Float},
+                                                                            {"double", PlyType::Double},
+                                                                            {"float64", PlyType::Double}}};
   for (const auto& [text, type] : kTypes)
     if (name == text) return type;
   return std::nullopt;
@@ -40,13 +40,14 @@ std::optional<PlyType> typeFromText(std::string_view name) {
 
 std::vector<std::string_view> tokensOf(std::string_view line) {
   std::vector<std::string_view> tokens;
-  for (std::string_view token = takeToken(line); !token.empty(); token = takeToken(line)) tokens.push_back(token);
+  for (std::string_view token = takeToken(line); !token.empty(); token = takeToken(line))
+    tokens.push_back(token);
   return tokens;
 }
 
 /// Reads the header's lines one by one; what is wrong with one comes back as text, empty if nothing is.
 class HeaderParser {
- public:
+public:
   std::string take(const std::vector<std::string_view>& tokens) {
     const std::string_view keyword = tokens[0];
     if (keyword == "comment") return {};
@@ -60,12 +61,14 @@ class HeaderParser {
   bool hasFormat() const { return hasFormat_; }
   /// PCL announces no faces, without saying what they would be made of.
   std::string unfinishedElement() const {
-    if (header.elements.empty() || !header.elements.back().properties.empty() || header.elements.back().count == 0) return {};
+    if (header.elements.empty() || !header.elements.back().properties.empty() ||
+        header.elements.back().count == 0)
+      return {};
     return "element " + quotedText(header.elements.back().name) + " has no property";
   }
   PlyHeader header;
 
- private:
+private:
   std::string takeFormat(const std::vector<std::string_view>& tokens) {
     if (hasFormat_) return "format is there twice";
     if (tokens.size() != 3 || tokens[2] != "1.0") return "not 'format ENCODING 1.0'";
@@ -96,7 +99,8 @@ class HeaderParser {
   std::string takeElement(const std::vector<std::string_view>& tokens) {
     if (std::string problem = unfinishedElement(); !problem.empty()) return problem;
     const auto count = tokens.size() == 3 ? countFromText(tokens[2]) : std::nullopt;
-    if (!count || *count > std::numeric_limits<std::int32_t>::max()) return "not 'element NAME COUNT' with a count up to 2147483647";
+    if (!count || *count > std::numeric_limits<std::int32_t>::max())
+      return "not 'element NAME COUNT' with a count up to 2147483647";
     for (const PlyElement& element : header.elements)
       if (element.name == tokens[1]) return "element " + quotedText(tokens[1]) + " is there twice";
     header.elements.push_back({std::string(tokens[1]), *count, {}});
@@ -116,7 +120,8 @@ class HeaderParser {
     property.type = *type;
     if (list) {
       property.countType = typeFromText(tokens[2]);
-      if (!property.countType || isPlyReal(*property.countType)) return "a list is counted by " + quotedText(tokens[2]) + ", not by a whole number";
+      if (!property.countType || isPlyReal(*property.countType))
+        return "a list is counted by " + quotedText(tokens[2]) + ", not by a whole number";
     }
     PlyElement& element = header.elements.back();
     if (element.find(property.name)) return "property " + quotedText(property.name) + " is there twice";
@@ -136,7 +141,8 @@ unsigned plyTypeBytes(PlyType type) {
 }
 
 bool PlyElement::hasLists() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.countType.has_value(); });
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const PlyProperty& p) { return p.countType.has_value(); });
 }
 
 std::uint64_t PlyElement::rowBytes() const {
@@ -151,31 +157,40 @@ std::optional<size_t> PlyElement::find(std::string_view property) const {
   return std::nullopt;
 }
 
-bool looksLikePly(std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n"); }
+bool looksLikePly(std::string_view bytes) {
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r\n");
+}
 
 Expected<PlyHeader> parsePlyHeader(const std::string& path, std::string_view bytes) {
   const char* const remedy = "correct the header, or save the file again";
   HeaderParser parser;
   TextLines lines(bytes.substr(0, kMaxHeaderBytes));
-  if (!lines.next() || lines.line() != "ply") return Error{path, "line 1", "the first line is not 'ply'", "is this a PLY file? Save it again if it is"};
+  if (!lines.next() || lines.line() != "ply")
+    return Error{path, "line 1", "the first line is not 'ply'", "is this a PLY file? Save it again if it is"};
   while (lines.next()) {
     if (!lines.hasLineEnd()) break;
     const auto tokens = tokensOf(lines.line());
     if (tokens.empty()) continue;
     if (tokens[0] != "end_header") {
-      if (std::string problem = parser.take(tokens); !problem.empty()) return Error{path, lines.where(), problem, remedy};
+      if (std::string problem = parser.take(tokens); !problem.empty())
+        return Error{path, lines.where(), problem, remedy};
       continue;
     }
     if (!parser.hasFormat()) return Error{path, "header", "there is no line 'format …'", remedy};
     PlyHeader& header = parser.header;
-    if (std::string problem = parser.unfinishedElement(); !problem.empty()) return Error{path, lines.where(), problem, remedy};
-    if ((header.columns == 0) != (header.rows == 0)) return Error{path, "header", "only one of obj_info num_cols and num_rows", remedy};
+    if (std::string problem = parser.unfinishedElement(); !problem.empty())
+      return Error{path, lines.where(), problem, remedy};
+    if ((header.columns == 0) != (header.rows == 0))
+      return Error{path, "header", "only one of obj_info num_cols and num_rows", remedy};
     header.bodyOffset = static_cast<std::uint64_t>(lines.rest().data() - bytes.data());
     header.bodyLine = lines.number() + 1;
     return std::move(header);
   }
-  if (bytes.size() > kMaxHeaderBytes) return Error{path, "header", "no end_header within the first 64 KiB", "is this a PLY file? Save it again if it is"};
-  return Error{path, lines.where(), "the file ends inside its header", "it is cut off: copy or save it again"};
+  if (bytes.size() > kMaxHeaderBytes)
+    return Error{path, "header", "no end_header within the first 64 KiB",
+                 "is this a PLY file? Save it again if it is"};
+  return Error{path, lines.where(), "the file ends inside its header",
+               "it is cut off: copy or save it again"};
 }
 
 }  // namespace stratascope

@@ -16,7 +16,9 @@ enum class PlyEncoding : std::uint8_t { Ascii, BinaryLittleEndian, BinaryBigEndi
 
 enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
 unsigned plyTypeBytes(PlyType type);
-inline bool isPlyReal(PlyType type) { return type == PlyType::Float || type == PlyType::Double; }
+inline bool isPlyReal(PlyType type) {
+  return type == PlyType::Float || type == PlyType::Double;
+}
 
 struct PlyProperty {
   std::string name;
@@ -46,7 +48,8 @@ struct PlyHeader {
 /// Whether the bytes begin like a PLY file, whatever its name.
 bool looksLikePly(std::string_view bytes);
 
-/// Strict: known keywords in their order, 64 KiB and 256 properties at most. Errors name file, line and remedy.
+/// Strict: known keywords in their order, 64 KiB and 256 properties at most. Errors name file, line and
+/// remedy.
 Expected<PlyHeader> parsePlyHeader(const std::string& path, std::string_view bytes);
 
 }  // namespace stratascope

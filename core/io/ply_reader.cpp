@@ -24,9 +24,13 @@ const char* const kCutOff = "the file is cut off or its header is wrong: copy or
 
 /// Walks the numbers of the body, whatever the encoding. The first problem ends the walk: failed() tells.
 class NumberSource {
- public:
+public:
   NumberSource(const std::string& path, std::string_view bytes, const PlyHeader& header)
-      : path_(path), bytes_(bytes), encoding_(header.encoding), at_(header.bodyOffset), lines_(bytes.substr(header.bodyOffset), header.bodyLine) {}
+      : path_(path),
+        bytes_(bytes),
+        encoding_(header.encoding),
+        at_(header.bodyOffset),
+        lines_(bytes.substr(header.bodyOffset), header.bodyLine) {}
 
   bool ascii() const { return encoding_ == PlyEncoding::Ascii; }
 
@@ -54,14 +58,22 @@ class NumberSource {
     at_ += size;
     if (encoding_ == PlyEncoding::BinaryBigEndian) std::reverse(raw.begin(), raw.begin() + size);
     switch (type) {
-      case PlyType::Int8: return as<std::int8_t>(raw);
-      case PlyType::Uint8: return as<std::uint8_t>(raw);
-      case PlyType::Int16: return as<std::int16_t>(raw);
-      case PlyType::Uint16: return as<std::uint16_t>(raw);
-      case PlyType::Int32: return as<std::int32_t>(raw);
-      case PlyType::Uint32: return as<std::uint32_t>(raw);
-      case PlyType::Float: return as<float>(raw);
-      default: return as<double>(raw);
+      case PlyType::Int8:
+        return as<std::int8_t>(raw);
+      case PlyType::Uint8:
+        return as<std::uint8_t>(raw);
+      case PlyType::Int16:
+        return as<std::int16_t>(raw);
+      case PlyType::Uint16:
+        return as<std::uint16_t>(raw);
+      case PlyType::Int32:
+        return as<std::int32_t>(raw);
+      case PlyType::Uint32:
+        return as<std::uint32_t>(raw);
+      case PlyType::Float:
+        return as<float>(raw);
+      default:
+        return as<double>(raw);
     }
   }
 
@@ -74,7 +86,8 @@ class NumberSource {
   /// Least bytes a row of so many numbers takes: memory stays bounded by the file, whatever the header says.
   bool fits(std::uint64_t rows, const PlyElement& element) const {
     std::uint64_t least = 0;
-    for (const PlyProperty& p : element.properties) least += ascii() ? 2 : plyTypeBytes(p.countType.value_or(p.type));
+    for (const PlyProperty& p : element.properties)
+      least += ascii() ? 2 : plyTypeBytes(p.countType.value_or(p.type));
     return rows == 0 || rows <= (bytes_.size() - bodyAt() + 1) / least;
   }
 
@@ -99,7 +112,7 @@ class NumberSource {
   bool missingLineEnd() const { return missingLineEnd_; }
   std::string where() const { return ascii() ? lines_.where() : "byte " + std::to_string(at_); }
 
- private:
+private:
   template <class T>
   static double as(const std::array<char, 8>& raw) {
     T value;
@@ -111,7 +124,8 @@ class NumberSource {
     if (token.empty()) return fail("fewer numbers than the header announces"), 0;
     const auto number = numberFromText(token);
     if (!number) return fail(quotedText(token) + " is not a number"), 0;
-    if (!isPlyReal(type) && *number != std::floor(*number)) return fail(quotedText(token) + " is not a whole number"), 0;
+    if (!isPlyReal(type) && *number != std::floor(*number))
+      return fail(quotedText(token) + " is not a whole number"), 0;
     return *number;
   }
   size_t bodyAt() const { return ascii() ? bytes_.size() - lines_.rest().size() : at_; }
@@ -129,21 +143,25 @@ class NumberSource {
 constexpr std::int64_t kNoVertex = -1;
 
 /// Which vertex stands at each place of a range grid.
-void readGrid(NumberSource& source, const PlyElement& element, std::uint64_t vertices, std::vector<std::int64_t>& grid) {
+void readGrid(NumberSource& source, const PlyElement& element, std::uint64_t vertices,
+              std::vector<std::int64_t>& grid) {
   grid.reserve(element.count);
   std::vector<char> taken(vertices, 0);
   for (std::uint64_t row = 0; row < element.count && !source.failed(); ++row) {
     source.beginRow();
     const double length = source.next(*element.properties[0].countType);
     if (source.failed()) return;
-    if (length != 0 && length != 1) return source.fail("a place of the range grid holds " + shortestText(length) + " vertices, not 0 or 1");
+    if (length != 0 && length != 1)
+      return source.fail("a place of the range grid holds " + shortestText(length) + " vertices, not 0 or 1");
     std::int64_t vertex = kNoVertex;
     if (length == 1) {
       const double index = source.next(element.properties[0].type);
       if (source.failed()) return;
-      if (!(index >= 0 && index < static_cast<double>(vertices))) return source.fail("the range grid names vertex " + shortestText(index) + ", which is not there");
+      if (!(index >= 0 && index < static_cast<double>(vertices)))
+        return source.fail("the range grid names vertex " + shortestText(index) + ", which is not there");
       vertex = static_cast<std::int64_t>(index);
-      if (taken[static_cast<size_t>(vertex)]++) return source.fail("the range grid names vertex " + shortestText(index) + " twice");
+      if (taken[static_cast<size_t>(vertex)]++)
+        return source.fail("the range grid names vertex " + shortestText(index) + " twice");
     }
     grid.push_back(vertex);
     source.endRow();
@@ -168,7 +186,8 @@ struct VertexReader {
   std::array<size_t, 3> coordinates{};
   LocalOrigin origin;
 
-  void read(NumberSource& source, const PlyElement& element, bool wide, std::vector<Eigen::Vector3f>& points) {
+  void read(NumberSource& source, const PlyElement& element, bool wide,
+            std::vector<Eigen::Vector3f>& points) {
     points.reserve(element.count);
     std::vector<double> row(element.properties.size());
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -184,7 +203,9 @@ struct VertexReader {
       const Eigen::Vector3d point(row[coordinates[0]], row[coordinates[1]], row[coordinates[2]]);
       for (const double v : point)
         if (isAbsurdCoordinate(v)) return source.fail("a coordinate of " + shortestText(v) + " m");
-      points.push_back(wide ? origin.shifted(point) : point.allFinite() ? Eigen::Vector3f(point.cast<float>()) : Eigen::Vector3f::Constant(kNaNf));
+      points.push_back(wide                ? origin.shifted(point)
+                       : point.allFinite() ? Eigen::Vector3f(point.cast<float>())
+                                           : Eigen::Vector3f::Constant(kNaNf));
     }
   }
 };
@@ -204,11 +225,14 @@ Camera readCamera(NumberSource& source, const PlyElement& element) {
 void useCamera(RawCloud& cloud, Camera& camera) {
   Eigen::Matrix3d rotation;
   for (const int row : {0, 1, 2})
-    for (const int col : {0, 1, 2}) rotation(row, col) = camera[std::string(1, "xyz"[row]) + "_axis" + "xyz"[col]];
+    for (const int col : {0, 1, 2})
+      rotation(row, col) = camera[std::string(1, "xyz"[row]) + "_axis" + "xyz"[col]];
   const Eigen::Vector3d place(camera["view_px"], camera["view_py"], camera["view_pz"]);
   constexpr double kTolerance = 1e-3;
-  const bool sound = place.allFinite() && place.cwiseAbs().maxCoeff() < kMaxCoordinate && rotation.allFinite() &&
-                     (rotation * rotation.transpose()).isApprox(Eigen::Matrix3d::Identity(), kTolerance) && rotation.determinant() > 0;
+  const bool sound = place.allFinite() && place.cwiseAbs().maxCoeff() < kMaxCoordinate &&
+                     rotation.allFinite() &&
+                     (rotation * rotation.transpose()).isApprox(Eigen::Matrix3d::Identity(), kTolerance) &&
+                     rotation.determinant() > 0;
   if (sound) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     if (!rotation.isIdentity(0)) pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
@@ -216,7 +240,8 @@ void useCamera(RawCloud& cloud, Camera& camera) {
     cloud.scan_T_sensor = pose;
   }
   const double width = camera["viewportx"], height = camera["viewporty"];
-  if (cloud.lines == 0 && width >= 1 && height > 1 && width * height == static_cast<double>(cloud.points.size())) {
+  if (cloud.lines == 0 && width >= 1 && height > 1 &&
+      width * height == static_cast<double>(cloud.points.size())) {
     cloud.lines = static_cast<int>(height);
     cloud.beams = static_cast<int>(width);
   }
@@ -224,9 +249,12 @@ void useCamera(RawCloud& cloud, Camera& camera) {
 
 const char* formatName(PlyEncoding encoding) {
   switch (encoding) {
-    case PlyEncoding::Ascii: return "PLY ascii";
-    case PlyEncoding::BinaryLittleEndian: return "PLY binary_little_endian";
-    default: return "PLY binary_big_endian";
+    case PlyEncoding::Ascii:
+      return "PLY ascii";
+    case PlyEncoding::BinaryLittleEndian:
+      return "PLY binary_little_endian";
+    default:
+      return "PLY binary_big_endian";
   }
 }
 
@@ -240,7 +268,8 @@ void layOutGrid(RawCloud& cloud, const PlyHeader& header, const std::vector<std:
       if (grid[i] != kNoVertex) placed[i] = cloud.points[static_cast<size_t>(grid[i])];
     cloud.points = std::move(placed);
   } else if (places != cloud.points.size()) {
-    cloud.notes.push_back("num_cols · num_rows is not the number of vertices and there is no range grid: they are not used.");
+    cloud.notes.push_back(
+        "num_cols · num_rows is not the number of vertices and there is no range grid: they are not used.");
     return;
   }
   cloud.lines = static_cast<int>(header.rows);
@@ -261,7 +290,8 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
   bool found = false;
   for (const PlyElement& element : header->elements) {
     if (!source.fits(element.count, element)) {
-      source.fail(std::to_string(element.count) + " rows of element " + quotedText(element.name) + " do not fit into the rest of the file");
+      source.fail(std::to_string(element.count) + " rows of element " + quotedText(element.name) +
+                  " do not fit into the rest of the file");
     } else if (element.name == "vertex") {
       found = true;
       cloud.wideCoordinates = header->encoding == PlyEncoding::Ascii;
@@ -269,18 +299,26 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
       for (size_t axis = 0; axis < 3; ++axis) {
         const std::string name(1, "xyz"[axis]);
         const auto index = element.find(name);
-        if (!index) return Error{path, "field " + name, "element vertex has no property " + name, "a scan needs x, y and z"};
+        if (!index)
+          return Error{path, "field " + name, "element vertex has no property " + name,
+                       "a scan needs x, y and z"};
         const PlyProperty& property = element.properties[*index];
         if (property.countType || !isPlyReal(property.type))
-          return Error{path, "field " + name, "not of type float or double", "save the file again with coordinates of type float or double"};
+          return Error{path, "field " + name, "not of type float or double",
+                       "save the file again with coordinates of type float or double"};
         cloud.wideCoordinates |= property.type == PlyType::Double;
         vertices.coordinates[axis] = *index;
       }
       vertices.read(source, element, cloud.wideCoordinates, cloud.points);
-    } else if (element.name == "range_grid" && header->columns > 0 && element.properties.size() == 1 && element.properties[0].countType) {
-      if (!found) return Error{path, "header", "the range grid comes before its vertices", "save the file again"};
+    } else if (element.name == "range_grid" && header->columns > 0 && element.properties.size() == 1 &&
+               element.properties[0].countType) {
+      if (!found)
+        return Error{path, "header", "the range grid comes before its vertices", "save the file again"};
       if (element.count != header->columns * header->rows)
-        return Error{path, "header", std::to_string(element.count) + " places in the range grid, but num_cols · num_rows is " + std::to_string(header->columns * header->rows),
+        return Error{path, "header",
+                     std::to_string(element.count) +
+                         " places in the range grid, but num_cols · num_rows is " +
+                         std::to_string(header->columns * header->rows),
                      "correct the header, or save the file again"};
       readGrid(source, element, cloud.points.size(), grid);
     } else if (element.name == "camera" && element.count == 1 && !element.hasLists()) {
@@ -288,14 +326,18 @@ Expected<RawCloud> readPly(const std::string& path, std::string bytes) {
     } else {
       skipElement(source, element);
       if (element.name == "face" && element.count > 0)
-        cloud.notes.push_back("A mesh's vertices: the file tells neither where the scanner stood nor which way is up; the origin and z are taken.");
+        cloud.notes.push_back(
+            "A mesh's vertices: the file tells neither where the scanner stood nor which way is up; the "
+            "origin and z are taken.");
     }
     if (source.failed()) return source.error();
   }
-  if (!found) return Error{path, "header", "there is no element vertex", "a scan needs vertices with x, y and z"};
+  if (!found)
+    return Error{path, "header", "there is no element vertex", "a scan needs vertices with x, y and z"};
   source.finish();
   if (source.failed()) return source.error();
-  if (source.missingLineEnd()) cloud.notes.push_back("The last row has no line end; its last number may be cut off.");
+  if (source.missingLineEnd())
+    cloud.notes.push_back("The last row has no line end; its last number may be cut off.");
   bytes = {};
   cloud.localOrigin = vertices.origin.origin();
   layOutGrid(cloud, *header, grid);

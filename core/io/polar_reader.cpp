@@ -20,10 +20,12 @@ constexpr std::string_view kMark = "# polar scan";
 const char* const kRemedy = "see the help page on file formats for the polar format";
 
 enum Column { Line, Beam, Range, HeadElevation, BeamAngle, ColumnCount };
-constexpr std::array<std::string_view, ColumnCount> kColumns = {"line", "beam", "range", "head_elevation", "beam_angle"};
+constexpr std::array<std::string_view, ColumnCount> kColumns = {"line", "beam", "range", "head_elevation",
+                                                                "beam_angle"};
 
 enum Key { HeadFirst, HeadStep, BeamFirst, BeamStep, KeyCount };
-constexpr std::array<std::string_view, KeyCount> kKeys = {"head_elevation_first", "head_elevation_step", "beam_first", "beam_step"};
+constexpr std::array<std::string_view, KeyCount> kKeys = {"head_elevation_first", "head_elevation_step",
+                                                          "beam_first", "beam_step"};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -35,7 +37,8 @@ std::string_view trimmed(std::string_view text) {
 std::vector<std::string_view> cellsOf(std::string_view row, char separator) {
   std::vector<std::string_view> cells;
   if (separator == ' ') {
-    for (std::string_view token = takeToken(row); !token.empty(); token = takeToken(row)) cells.push_back(token);
+    for (std::string_view token = takeToken(row); !token.empty(); token = takeToken(row))
+      cells.push_back(token);
     return cells;
   }
   while (true) {
@@ -46,12 +49,15 @@ std::vector<std::string_view> cellsOf(std::string_view row, char separator) {
   }
 }
 
-char separatorOf(std::string_view row) { return row.find(';') != row.npos ? ';' : row.find(',') != row.npos ? ',' : ' '; }
+char separatorOf(std::string_view row) {
+  return row.find(';') != row.npos ? ';' : row.find(',') != row.npos ? ',' : ' ';
+}
 
 bool namesTheColumns(std::string_view row) {
   const auto cells = cellsOf(row, separatorOf(row));
-  return std::all_of(kColumns.begin(), kColumns.begin() + HeadElevation,
-                     [&](std::string_view name) { return std::count(cells.begin(), cells.end(), name) == 1; });
+  return std::all_of(kColumns.begin(), kColumns.begin() + HeadElevation, [&](std::string_view name) {
+    return std::count(cells.begin(), cells.end(), name) == 1;
+  });
 }
 
 struct Reading {
@@ -60,8 +66,9 @@ struct Reading {
 };
 
 class PolarParser {
- public:
-  PolarParser(const std::string& path, std::string_view bytes) : path_(path), lines_(bytes), fileBytes_(bytes.size()) {}
+public:
+  PolarParser(const std::string& path, std::string_view bytes)
+      : path_(path), lines_(bytes), fileBytes_(bytes.size()) {}
 
   Expected<RawCloud> parse() {
     while (lines_.next()) {
@@ -78,19 +85,23 @@ class PolarParser {
     }
     if (readings_.empty()) return Error{path_, lines_.where(), "there is no reading in the file", kRemedy};
     if (announced_ && *announced_ != readings_.size())
-      return Error{path_, lines_.where(), std::to_string(readings_.size()) + " readings instead of " + std::to_string(*announced_), "the file may be cut off: copy it again"};
+      return Error{path_, lines_.where(),
+                   std::to_string(readings_.size()) + " readings instead of " + std::to_string(*announced_),
+                   "the file may be cut off: copy it again"};
     auto cloud = layOut();
-    if (cloud && !lines_.hasLineEnd()) cloud->notes.push_back("The last line has no line end; its last number may be cut off.");
+    if (cloud && !lines_.hasLineEnd())
+      cloud->notes.push_back("The last line has no line end; its last number may be cut off.");
     return cloud;
   }
 
- private:
+private:
   std::string takeKey(std::string_view text) {
     const std::string_view name = takeToken(text);
     const std::string_view value = trimmed(text);
     if (name == "range_unit") {
       const auto unit = lengthUnitFromText(value);
-      if (!unit || *unit == LengthUnit::Auto) return "range_unit " + quotedText(value) + " is not m, cm, mm, ft or us-ft";
+      if (!unit || *unit == LengthUnit::Auto)
+        return "range_unit " + quotedText(value) + " is not m, cm, mm, ft or us-ft";
       metres_ = metresPerUnit(*unit);
     }
     if (name == "readings") {
@@ -101,7 +112,8 @@ class PolarParser {
     for (size_t k = 0; k < KeyCount; ++k) {
       if (name != kKeys[k]) continue;
       const auto number = numberFromText(value);
-      if (!number || !(std::abs(*number) <= 360)) return std::string(name) + " " + quotedText(value) + " is not an angle in degrees";
+      if (!number || !(std::abs(*number) <= 360))
+        return std::string(name) + " " + quotedText(value) + " is not an angle in degrees";
       if (!std::isnan(keys_[k])) return std::string(name) + " is there twice";
       keys_[k] = *number;
     }
@@ -116,26 +128,36 @@ class PolarParser {
       const auto count = std::count(columns_.begin(), columns_.end(), kColumns[c]);
       if (count > 1) return "column " + std::string(kColumns[c]) + " is there twice";
       if (count == 0 && c < HeadElevation) return "no column " + std::string(kColumns[c]);
-      if (count == 1) at_[c] = static_cast<int>(std::find(columns_.begin(), columns_.end(), kColumns[c]) - columns_.begin());
+      if (count == 1)
+        at_[c] =
+            static_cast<int>(std::find(columns_.begin(), columns_.end(), kColumns[c]) - columns_.begin());
     }
-    const auto given = [&](Key first, Key step) { return !std::isnan(keys_[first]) && !std::isnan(keys_[step]); };
-    if (at_[HeadElevation] < 0 && !given(HeadFirst, HeadStep)) return "neither head_elevation_first and head_elevation_step nor a column head_elevation";
-    if (at_[BeamAngle] < 0 && !given(BeamFirst, BeamStep)) return "neither beam_first and beam_step nor a column beam_angle";
+    const auto given = [&](Key first, Key step) {
+      return !std::isnan(keys_[first]) && !std::isnan(keys_[step]);
+    };
+    if (at_[HeadElevation] < 0 && !given(HeadFirst, HeadStep))
+      return "neither head_elevation_first and head_elevation_step nor a column head_elevation";
+    if (at_[BeamAngle] < 0 && !given(BeamFirst, BeamStep))
+      return "neither beam_first and beam_step nor a column beam_angle";
     return {};
   }
 
   std::string takeReading(std::string_view row) {
     const auto cells = cellsOf(row, separator_);
-    if (cells.size() != columns_.size()) return std::to_string(cells.size()) + " columns instead of " + std::to_string(columns_.size());
+    if (cells.size() != columns_.size())
+      return std::to_string(cells.size()) + " columns instead of " + std::to_string(columns_.size());
     Reading reading;
     for (const Column c : {Line, Beam}) {
       const auto count = countFromText(cells[static_cast<size_t>(at_[c])]);
-      if (!count || *count >= std::numeric_limits<std::int32_t>::max()) return std::string(kColumns[c]) + " " + quotedText(cells[static_cast<size_t>(at_[c])]) + " is not a number from 0";
+      if (!count || *count >= std::numeric_limits<std::int32_t>::max())
+        return std::string(kColumns[c]) + " " + quotedText(cells[static_cast<size_t>(at_[c])]) +
+               " is not a number from 0";
       (c == Line ? reading.line : reading.beam) = static_cast<std::uint32_t>(*count);
     }
     for (size_t c = 0; c < cells.size(); ++c) {
       if (static_cast<int>(c) == at_[Line] || static_cast<int>(c) == at_[Beam]) continue;
-      const auto number = cells[c].empty() && static_cast<int>(c) == at_[Range] ? kNaN : numberFromText(cells[c]);
+      const auto number =
+          cells[c].empty() && static_cast<int>(c) == at_[Range] ? kNaN : numberFromText(cells[c]);
       if (!number) return quotedText(cells[c]) + " is not a number";
       if (static_cast<int>(c) == at_[Range]) reading.range = *number * metres_;
       if (static_cast<int>(c) == at_[HeadElevation]) reading.headElevation = *number;
@@ -144,8 +166,10 @@ class PolarParser {
     if (isAbsurdCoordinate(reading.range)) return "a range of " + shortestText(reading.range) + " m";
     if (at_[HeadElevation] < 0) reading.headElevation = keys_[HeadFirst] + reading.line * keys_[HeadStep];
     if (at_[BeamAngle] < 0) reading.beamAngle = keys_[BeamFirst] + reading.beam * keys_[BeamStep];
-    if (!(std::abs(reading.headElevation) <= 360)) return "a head elevation of " + shortestText(reading.headElevation) + " degrees";
-    if (!(reading.beamAngle >= 0 && reading.beamAngle <= 180)) return "a beam angle of " + shortestText(reading.beamAngle) + " degrees, not 0 to 180";
+    if (!(std::abs(reading.headElevation) <= 360))
+      return "a head elevation of " + shortestText(reading.headElevation) + " degrees";
+    if (!(reading.beamAngle >= 0 && reading.beamAngle <= 180))
+      return "a beam angle of " + shortestText(reading.beamAngle) + " degrees, not 0 to 180";
     readings_.push_back(reading);
     return {};
   }
@@ -157,8 +181,11 @@ class PolarParser {
       beams = std::max<std::uint64_t>(beams, r.beam + 1ULL);
     }
     if (!latticeIsWarranted(lines, beams, readings_.size(), fileBytes_))
-      return Error{path_, "", std::to_string(readings_.size()) + " readings for " + std::to_string(lines) + " lines of " + std::to_string(beams) + " beams",
-                   "are line and beam mixed up with something else? Most places of the lattice need a reading"};
+      return Error{
+          path_, "",
+          std::to_string(readings_.size()) + " readings for " + std::to_string(lines) + " lines of " +
+              std::to_string(beams) + " beams",
+          "are line and beam mixed up with something else? Most places of the lattice need a reading"};
     RawCloud cloud;
     cloud.format = "polar text";
     cloud.said = {LengthUnit::Metre, FileAxes::ZUp};
@@ -169,10 +196,13 @@ class PolarParser {
     std::vector<char> taken(cloud.points.size(), 0);
     for (const Reading& r : readings_) {
       const size_t place = r.line * beams + r.beam;
-      if (taken[place]++) return Error{path_, "line " + std::to_string(r.line) + ", beam " + std::to_string(r.beam), "two readings", "keep one of them"};
+      if (taken[place]++)
+        return Error{path_, "line " + std::to_string(r.line) + ", beam " + std::to_string(r.beam),
+                     "two readings", "keep one of them"};
       if (!(r.range > 0) || !std::isfinite(r.range)) continue;
       cloud.points[place] =
-          pointFromPolar({r.range, headAngleFromElevation(degToRad(r.headElevation)), degToRad(r.beamAngle)}).cast<float>();
+          pointFromPolar({r.range, headAngleFromElevation(degToRad(r.headElevation)), degToRad(r.beamAngle)})
+              .cast<float>();
     }
     return cloud;
   }
@@ -202,6 +232,8 @@ bool looksLikePolar(std::string_view bytes) {
   return false;
 }
 
-Expected<RawCloud> readPolar(const std::string& path, std::string_view bytes) { return PolarParser(path, bytes).parse(); }
+Expected<RawCloud> readPolar(const std::string& path, std::string_view bytes) {
+  return PolarParser(path, bytes).parse();
+}
 
 }  // namespace stratascope

@@ -15,11 +15,12 @@ namespace stratascope {
 namespace {
 
 const char* const kCutOff = "the file is cut off or its counts are wrong: copy or save it again";
-const char* const kRows = "each line holds x y z, perhaps an intensity and three colours, with decimal points";
+const char* const kRows =
+    "each line holds x y z, perhaps an intensity and three colours, with decimal points";
 
 /// Walks lines that are not blank, taking fixed numbers of numbers from them.
 class Rows {
- public:
+public:
   Rows(const std::string& path, std::string_view bytes) : path_(path), lines_(bytes) {}
 
   bool next() {
@@ -52,28 +53,36 @@ class Rows {
     return takeToken(rest_).empty() ? value : std::nullopt;
   }
 
-  Error errorHere(std::string what, const char* remedy = kCutOff) const { return {path_, lines_.where(), std::move(what), remedy}; }
+  Error errorHere(std::string what, const char* remedy = kCutOff) const {
+    return {path_, lines_.where(), std::move(what), remedy};
+  }
   bool hasLineEnd() const { return lines_.hasLineEnd(); }
   /// Rows of three numbers that can still follow: memory stays bounded by the file, whatever its counts say.
   std::uint64_t rowsLeft() const { return (lines_.rest().size() + 1) / 6; }
 
- private:
+private:
   const std::string& path_;
   TextLines lines_;
   std::string_view rest_;
 };
 
-/// A point's row: x y z, with intensity, with intensity and colours. The number of columns must stay the same.
+/// A point's row: x y z, with intensity, with intensity and colours. The number of columns must stay the
+/// same.
 Expected<Eigen::Vector3d> pointRow(Rows& rows, size_t& columns) {
   size_t count = 0;
   const auto values = rows.numbers<7>(count);
   if (!values) return values.error();
-  if (count != 3 && count != 4 && count != 6 && count != 7) return rows.errorHere(std::to_string(count) + " numbers", kRows);
+  if (count != 3 && count != 4 && count != 6 && count != 7)
+    return rows.errorHere(std::to_string(count) + " numbers", kRows);
   if (columns == 0) columns = count;
-  if (count != columns) return rows.errorHere(std::to_string(count) + " numbers, but " + std::to_string(columns) + " in the rows before", kRows);
+  if (count != columns)
+    return rows.errorHere(
+        std::to_string(count) + " numbers, but " + std::to_string(columns) + " in the rows before", kRows);
   const Eigen::Vector3d p((*values)[0], (*values)[1], (*values)[2]);
   for (const double v : p)
-    if (isAbsurdCoordinate(v)) return rows.errorHere("a coordinate of " + shortestText(v) + " m", "is the file damaged? Coordinates are metres, at most 1e9");
+    if (isAbsurdCoordinate(v))
+      return rows.errorHere("a coordinate of " + shortestText(v) + " m",
+                            "is the file damaged? Coordinates are metres, at most 1e9");
   return p;
 }
 
@@ -91,13 +100,17 @@ Expected<std::array<double, wanted>> headRow(Rows& rows, const char* what) {
   size_t count = 0;
   const auto values = rows.numbers<wanted>(count);
   if (!values) return values.error();
-  if (count != wanted) return rows.errorHere(std::to_string(count) + " numbers instead of " + std::to_string(wanted) + " in " + what);
+  if (count != wanted)
+    return rows.errorHere(std::to_string(count) + " numbers instead of " + std::to_string(wanted) + " in " +
+                          what);
   for (const double v : *values)
-    if (!std::isfinite(v) || std::abs(v) > kMaxCoordinate) return rows.errorHere(shortestText(v) + " in " + what);
+    if (!std::isfinite(v) || std::abs(v) > kMaxCoordinate)
+      return rows.errorHere(shortestText(v) + " in " + what);
   return *values;
 }
 
-/// The head after its two counts. The registered place and axes say again what the matrix says, so only the matrix counts.
+/// The head after its two counts. The registered place and axes say again what the matrix says, so only the
+/// matrix counts.
 Expected<Eigen::Isometry3d> headPose(Rows& rows) {
   for (int i = 0; i < 4; ++i)
     if (const auto values = headRow<3>(rows, "the scanner's place and axes"); !values) return values.error();
@@ -105,15 +118,18 @@ Expected<Eigen::Isometry3d> headPose(Rows& rows) {
   for (int row = 0; row < 4; ++row) {
     const auto values = headRow<4>(rows, "the matrix of the scan");
     if (!values) return values.error();
-    for (int col = 0; col < 4; ++col) matrix(col, row) = (*values)[static_cast<size_t>(col)];  // written for row vectors
+    for (int col = 0; col < 4; ++col)
+      matrix(col, row) = (*values)[static_cast<size_t>(col)];  // written for row vectors
   }
   constexpr double kTolerance = 1e-3;
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  if (!(rotation * rotation.transpose()).isApprox(Eigen::Matrix3d::Identity(), kTolerance) || !(rotation.determinant() > 0) ||
-      !(matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).isZero(kTolerance))
-    return rows.errorHere("the matrix of the scan is no rotation and shift", "write the identity if the points are in the common frame already");
+  if (!(rotation * rotation.transpose()).isApprox(Eigen::Matrix3d::Identity(), kTolerance) ||
+      !(rotation.determinant() > 0) || !(matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).isZero(kTolerance))
+    return rows.errorHere("the matrix of the scan is no rotation and shift",
+                          "write the identity if the points are in the common frame already");
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  // A written rotation has few digits: the nearest true one keeps right angles right. The identity stays itself.
+  // A written rotation has few digits: the nearest true one keeps right angles right. The identity stays
+  // itself.
   if (!rotation.isIdentity(0)) pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
   pose.translation() = matrix.topRightCorner<3, 1>();
   return pose;
@@ -132,7 +148,8 @@ Expected<std::vector<RawCloud>> readPtx(const std::string& path, std::string_vie
       if (i > 0 && !rows.next()) return rows.errorHere("the file ends before the number of rows");
       const auto count = rows.count();
       if (!count || *count < 1 || *count > std::numeric_limits<std::int32_t>::max())
-        return rows.errorHere(std::string("no number of ") + (i ? "rows" : "columns") + " from 1 to 2147483647 where a scan begins",
+        return rows.errorHere(std::string("no number of ") + (i ? "rows" : "columns") +
+                                  " from 1 to 2147483647 where a scan begins",
                               "a PTX scan begins with its numbers of columns and rows, a line each");
       size[i] = *count;
     }
@@ -143,21 +160,27 @@ Expected<std::vector<RawCloud>> readPtx(const std::string& path, std::string_vie
     if (!pose) return pose.error();
     cloud.map_T_scan = *pose;
     const std::uint64_t points = size[0] * size[1];
-    if (points > rows.rowsLeft()) return rows.errorHere(std::to_string(points) + " rows are announced, more than the rest of the file can hold");
+    if (points > rows.rowsLeft())
+      return rows.errorHere(std::to_string(points) +
+                            " rows are announced, more than the rest of the file can hold");
     cloud.points.reserve(points);
     LocalOrigin origin;
     size_t columns = 0;
     for (std::uint64_t i = 0; i < points; ++i) {
-      if (!rows.next()) return rows.errorHere("the file ends after " + std::to_string(i) + " of " + std::to_string(points) + " rows");
+      if (!rows.next())
+        return rows.errorHere("the file ends after " + std::to_string(i) + " of " + std::to_string(points) +
+                              " rows");
       const auto p = pointRow(rows, columns);
       if (!p) return p.error();
-      cloud.points.push_back(p->isZero(0) ? Eigen::Vector3f(Eigen::Vector3f::Constant(kNaNf)) : origin.shifted(*p));
+      cloud.points.push_back(p->isZero(0) ? Eigen::Vector3f(Eigen::Vector3f::Constant(kNaNf))
+                                          : origin.shifted(*p));
     }
     cloud.localOrigin = origin.origin();
     cloud.fields = fieldsOf(columns);
     cloud.lines = static_cast<int>(size[0]);
     cloud.beams = static_cast<int>(size[1]);
-    if (!rows.hasLineEnd()) cloud.notes.push_back("The last row has no line end; its last number may be cut off.");
+    if (!rows.hasLineEnd())
+      cloud.notes.push_back("The last row has no line end; its last number may be cut off.");
     scans.push_back(std::move(cloud));
     more = rows.next();
   }
@@ -174,10 +197,16 @@ Expected<RawCloud> readPts(const std::string& path, std::string_view bytes) {
   size_t blocks = 0;
   while (rows.next()) {
     const auto count = rows.count();
-    if (!count) return rows.errorHere("no number of points where a block begins", "a PTS file begins with its number of points; name a file without it .xyz");
-    if (*count > rows.rowsLeft()) return rows.errorHere(std::to_string(*count) + " rows are announced, more than the rest of the file can hold");
+    if (!count)
+      return rows.errorHere("no number of points where a block begins",
+                            "a PTS file begins with its number of points; name a file without it .xyz");
+    if (*count > rows.rowsLeft())
+      return rows.errorHere(std::to_string(*count) +
+                            " rows are announced, more than the rest of the file can hold");
     for (std::uint64_t i = 0; i < *count; ++i) {
-      if (!rows.next()) return rows.errorHere("the file ends after " + std::to_string(i) + " of " + std::to_string(*count) + " rows");
+      if (!rows.next())
+        return rows.errorHere("the file ends after " + std::to_string(i) + " of " + std::to_string(*count) +
+                              " rows");
       const auto p = pointRow(rows, columns);
       if (!p) return p.error();
       cloud.points.push_back(origin.shifted(*p));
@@ -185,7 +214,8 @@ Expected<RawCloud> readPts(const std::string& path, std::string_view bytes) {
     ++blocks;
   }
   if (blocks == 0) return rows.errorHere("there is no point in the file");
-  if (!rows.hasLineEnd()) cloud.notes.push_back("The last row has no line end; its last number may be cut off.");
+  if (!rows.hasLineEnd())
+    cloud.notes.push_back("The last row has no line end; its last number may be cut off.");
   if (blocks > 1) cloud.notes.push_back(std::to_string(blocks) + " blocks of points are taken as one cloud.");
   cloud.localOrigin = origin.origin();
   cloud.fields = fieldsOf(columns);

@@ -14,7 +14,8 @@
 
 namespace stratascope {
 
-/// What a format's reader makes of a file's bytes; scan_io turns it into a Scan, the same way for every format.
+/// What a format's reader makes of a file's bytes; scan_io turns it into a Scan, the same way for every
+/// format.
 struct RawCloud {
   std::string format;
   std::vector<std::string> fields;
@@ -33,21 +34,26 @@ struct RawCloud {
   Eigen::Vector3d localOrigin = Eigen::Vector3d::Zero();
   /// What format or file say of unit and axes; Auto = nothing, so they may be guessed.
   FileFrame said;
-  /// Unit and axes the reader has turned into metres and ours already (a format that fixes them); Auto = none.
+  /// Unit and axes the reader has turned into metres and ours already (a format that fixes them); Auto =
+  /// none.
   FileFrame applied;
 };
 
 /// Beyond this a coordinate in metres is no measurement but a damaged or misread file.
 inline constexpr double kMaxCoordinate = 1e9;
-inline bool isAbsurdCoordinate(double metres) { return std::isfinite(metres) && std::abs(metres) > kMaxCoordinate; }
+inline bool isAbsurdCoordinate(double metres) {
+  return std::isfinite(metres) && std::abs(metres) > kMaxCoordinate;
+}
 
-/// Whether a lattice that a file only describes may be laid out: a few points far apart, or a lattice much larger than its file,
-/// must not ask for memory the file's size does not warrant.
-inline bool latticeIsWarranted(std::uint64_t lines, std::uint64_t beams, std::uint64_t points, std::uint64_t fileBytes) {
+/// Whether a lattice that a file only describes may be laid out: a few points far apart, or a lattice much
+/// larger than its file, must not ask for memory the file's size does not warrant.
+inline bool latticeIsWarranted(std::uint64_t lines, std::uint64_t beams, std::uint64_t points,
+                               std::uint64_t fileBytes) {
   constexpr std::uint64_t kFreeBytes = std::uint64_t{192} << 20;
   constexpr std::uint64_t kPlaceBytes = 2 * sizeof(Eigen::Vector3f);  // laid out once, then built
   std::uint64_t places = 0;
-  return !__builtin_mul_overflow(lines, beams, &places) && places <= 4096 + 16 * points && places <= (kFreeBytes + 3 * fileBytes) / kPlaceBytes;
+  return !__builtin_mul_overflow(lines, beams, &places) && places <= 4096 + 16 * points &&
+         places <= (kFreeBytes + 3 * fileBytes) / kPlaceBytes;
 }
 
 }  // namespace stratascope

@@ -29,7 +29,8 @@ Json poseNumbers(const Eigen::Isometry3d& pose) {
 }
 
 bool isFile(const Scan& scan) {
-  return !scan.path.empty() && scan.path.find("://") == std::string::npos && !scan.path.starts_with("serial:");
+  return !scan.path.empty() && scan.path.find("://") == std::string::npos &&
+         !scan.path.starts_with("serial:");
 }
 
 Expected<Json> inputEntry(const ScanProducts& products) {

@@ -20,7 +20,8 @@ namespace stratascope {
 
 namespace {
 
-/// A return cannot come from the sensor itself: such points, and zeros in numbers, are what some programs write for none.
+/// A return cannot come from the sensor itself: such points, and zeros in numbers, are what some programs
+/// write for none.
 size_t blankImpossiblePoints(RawCloud& cloud, const Eigen::Vector3f& sensor) {
   const auto isZero = [](const Eigen::Vector3f& p) { return p.x() == 0 && p.y() == 0 && p.z() == 0; };
   const bool zerosAreFiller = std::count_if(cloud.points.begin(), cloud.points.end(), isZero) > 1;
@@ -40,24 +41,33 @@ void noteCoarseCoordinates(const RawCloud& cloud, std::vector<std::string>& note
     if (p.allFinite()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   if (!cloud.wideCoordinates || largest < kFar) return;
   const float step = std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest;
-  notes.push_back("Coordinates reach " + shortestText(std::round(largest)) + " m; they are kept as 32-bit floats, whose step there is " +
-                  shortestText(step) + " m: subtract an offset before.");
+  notes.push_back("Coordinates reach " + shortestText(std::round(largest)) +
+                  " m; they are kept as 32-bit floats, whose step there is " + shortestText(step) +
+                  " m: subtract an offset before.");
 }
 
 Eigen::Isometry3d turned(const Eigen::Isometry3d& pose, const Eigen::Matrix3d& axes, double scale) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = axes * pose.linear() * axes.transpose();  // stays a rotation even if the axes change hands
+  result.linear() =
+      axes * pose.linear() * axes.transpose();  // stays a rotation even if the axes change hands
   result.translation() = scale * (axes * pose.translation());
   return result;
 }
 
-/// Unit and axes of the file's coordinates: what the caller says, else what the file says, else what is guessed.
+/// Unit and axes of the file's coordinates: what the caller says, else what the file says, else what is
+/// guessed.
 FileFrame chooseFrame(RawCloud& cloud, const ReadOptions& options, std::vector<std::string>& notes) {
-  const Eigen::Vector3f sensor = cloud.scan_T_sensor ? Eigen::Vector3f(cloud.scan_T_sensor->translation().cast<float>()) : Eigen::Vector3f::Zero();
+  const Eigen::Vector3f sensor = cloud.scan_T_sensor
+                                     ? Eigen::Vector3f(cloud.scan_T_sensor->translation().cast<float>())
+                                     : Eigen::Vector3f::Zero();
   FrameGuess guess;
-  if (options.frame.unit == LengthUnit::Auto || options.frame.axes == FileAxes::Auto) guess = guessFrame(cloud, sensor);
+  if (options.frame.unit == LengthUnit::Auto || options.frame.axes == FileAxes::Auto)
+    guess = guessFrame(cloud, sensor);
   const auto first = [](auto asked, auto said, auto guessed, auto usual) {
-    return asked != decltype(asked)::Auto ? asked : said != decltype(asked)::Auto ? said : guessed != decltype(asked)::Auto ? guessed : usual;
+    return asked != decltype(asked)::Auto     ? asked
+           : said != decltype(asked)::Auto    ? said
+           : guessed != decltype(asked)::Auto ? guessed
+                                              : usual;
   };
   FileFrame frame;
   frame.unit = first(options.frame.unit, cloud.said.unit, guess.frame.unit, LengthUnit::Metre);
@@ -71,7 +81,8 @@ FileFrame chooseFrame(RawCloud& cloud, const ReadOptions& options, std::vector<s
 /// Points, poses and origin into metres and our axes. Coordinates that are in both already keep their bits.
 void turnIntoOurFrame(RawCloud& cloud, const FileFrame& frame) {
   const double scale = metresPerUnit(frame.unit) / metresPerUnit(cloud.applied.unit);
-  const Eigen::Matrix3d axes = oursFromFileAxes(frame.axes) * oursFromFileAxes(cloud.applied.axes).transpose();
+  const Eigen::Matrix3d axes =
+      oursFromFileAxes(frame.axes) * oursFromFileAxes(cloud.applied.axes).transpose();
   if (scale == 1 && axes.isIdentity(0)) return;
   const Eigen::Matrix3d turn = scale * axes;
   const Eigen::Vector3d origin = turn * cloud.localOrigin;
@@ -109,11 +120,13 @@ void placeScan(Scan& scan, const RawCloud& cloud, const ReadOptions& options) {
     scan.localOrigin = cloud.localOrigin;
   else if (place.allFinite())
     far.fixFrom(place), scan.localOrigin = far.origin();
-  if (!cloud.localOrigin.isZero(0) || !scan.localOrigin.isZero(0)) pose.translation() = place - scan.localOrigin;
+  if (!cloud.localOrigin.isZero(0) || !scan.localOrigin.isZero(0))
+    pose.translation() = place - scan.localOrigin;
   if (scan.localOrigin.isZero(0)) return;
   std::string text;
   for (const double v : scan.localOrigin) text += (text.empty() ? "" : " ") + shortestText(v);
-  scan.notes.push_back("Map coordinates are counted from the local origin " + text + " m, so that they keep every digit.");
+  scan.notes.push_back("Map coordinates are counted from the local origin " + text +
+                       " m, so that they keep every digit.");
 }
 
 std::string summaryOf(const FileFrame& frame) {
@@ -143,10 +156,12 @@ Expected<Scan> scanFromRaw(const std::string& path, RawCloud cloud, const ReadOp
   scan.notes.insert(scan.notes.end(), cloud.notes.begin(), cloud.notes.end());
   if (cloud.lines > 0)
     if (const size_t blanked = blankImpossiblePoints(cloud, sensor))
-      scan.notes.push_back(std::to_string(blanked) + " points at the sensor's place or at 0 0 0 count as missing returns.");
+      scan.notes.push_back(std::to_string(blanked) +
+                           " points at the sensor's place or at 0 0 0 count as missing returns.");
   const auto isReturn = [&](const Eigen::Vector3f& p) { return p.allFinite() && p != sensor; };
   if (std::none_of(cloud.points.begin(), cloud.points.end(), isReturn))
-    return Error{path, "", "no valid point among its " + std::to_string(cloud.points.size()), "choose another scan"};
+    return Error{path, "", "no valid point among its " + std::to_string(cloud.points.size()),
+                 "choose another scan"};
 
   if (cloud.lines == 0) {
     projectOntoSphere(scan, std::move(cloud.points));
@@ -154,7 +169,8 @@ Expected<Scan> scanFromRaw(const std::string& path, RawCloud cloud, const ReadOp
   }
   ScanBuilder builder(cloud.beams);
   const auto beams = static_cast<size_t>(cloud.beams);
-  for (size_t start = 0; start < cloud.points.size(); start += beams) builder.appendLine(std::span(cloud.points).subspan(start, beams));
+  for (size_t start = 0; start < cloud.points.size(); start += beams)
+    builder.appendLine(std::span(cloud.points).subspan(start, beams));
   scan.lattice = builder.freeze();
   scan.latticeOrigin = cloud.latticeOrigin;
   return scan;

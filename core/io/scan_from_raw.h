@@ -10,9 +10,9 @@
 
 namespace stratascope {
 
-/// Makes a scan of what a reader found, the same way for every format: unit and axes turned into ours, far coordinates
-/// counted from a local origin, impossible points blanked, a lattice recovered from the order of the points if that is
-/// certain, else made by projection.
+/// Makes a scan of what a reader found, the same way for every format: unit and axes turned into ours, far
+/// coordinates counted from a local origin, impossible points blanked, a lattice recovered from the order of
+/// the points if that is certain, else made by projection.
 Expected<Scan> scanFromRaw(const std::string& path, RawCloud cloud, const ReadOptions& options);
 
 }  // namespace stratascope

@@ -13,7 +13,8 @@ namespace stratascope {
 
 namespace {
 
-const char* const kRemedy = "a scan graph holds lines 'NODE x y z roll pitch yaw', each followed by lines 'x y z'";
+const char* const kRemedy =
+    "a scan graph holds lines 'NODE x y z roll pitch yaw', each followed by lines 'x y z'";
 
 /// All numbers of a row; what is wrong with it comes back as text.
 template <size_t wanted>
@@ -26,14 +27,16 @@ std::string numbersOf(std::string_view row, std::array<double, wanted>& values) 
     if (count == wanted) return "more than " + std::to_string(wanted) + " numbers";
     values[count++] = *number;
   }
-  return count == wanted ? std::string() : std::to_string(count) + " numbers instead of " + std::to_string(wanted);
+  return count == wanted ? std::string()
+                         : std::to_string(count) + " numbers instead of " + std::to_string(wanted);
 }
 
 Eigen::Isometry3d poseOf(const std::array<double, 6>& v) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = (Eigen::AngleAxisd(v[5], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(v[4], Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(v[3], Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
+  pose.linear() =
+      (Eigen::AngleAxisd(v[5], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(v[4], Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(v[3], Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
   pose.translation() = Eigen::Vector3d(v[0], v[1], v[2]);
   return pose;
 }
@@ -58,7 +61,8 @@ Expected<std::vector<RawCloud>> readScanGraph(const std::string& path, std::stri
   std::uint64_t nodeLine = 0;
   const auto close = [&]() -> std::optional<Error> {
     if (scans.empty()) return std::nullopt;
-    if (scans.back().points.empty()) return Error{path, "line " + std::to_string(nodeLine), "a NODE without points", kRemedy};
+    if (scans.back().points.empty())
+      return Error{path, "line " + std::to_string(nodeLine), "a NODE without points", kRemedy};
     scans.back().localOrigin = origin.origin();
     origin = {};
     return std::nullopt;
@@ -89,7 +93,8 @@ Expected<std::vector<RawCloud>> readScanGraph(const std::string& path, std::stri
       std::array<double, 3> values{};
       problem = numbersOf(row, values);
       scans.back().points.push_back(origin.shifted({values[0], values[1], values[2]}));
-      if (!lines.hasLineEnd()) scans.back().notes.push_back("The last line has no line end; its last number may be cut off.");
+      if (!lines.hasLineEnd())
+        scans.back().notes.push_back("The last line has no line end; its last number may be cut off.");
     }
     if (!problem.empty()) return Error{path, lines.where(), problem, kRemedy};
   }

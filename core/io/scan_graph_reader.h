@@ -11,8 +11,8 @@
 
 namespace stratascope {
 
-/// OctoMap's scan graph as text: "NODE x y z roll pitch yaw" (metres, radians; the sensor's pose in the map), then lines
-/// "x y z" in the sensor's frame up to the next NODE; '#' begins a comment. No lattice.
+/// OctoMap's scan graph as text: "NODE x y z roll pitch yaw" (metres, radians; the sensor's pose in the map),
+/// then lines "x y z" in the sensor's frame up to the next NODE; '#' begins a comment. No lattice.
 Expected<std::vector<RawCloud>> readScanGraph(const std::string& path, std::string_view bytes);
 
 /// Whether the first line that is no comment begins with NODE.

@@ -85,7 +85,8 @@ RawClouds readUosWithPose(const std::string& path, std::string_view bytes, const
   auto pose = poseBeside(path);
   if (!pose) return pose.error();
   cloud->map_T_scan = *pose;
-  if (!*pose) cloud->notes.push_back("There is no .pose file beside the scan, so it stands at the origin of the map.");
+  if (!*pose)
+    cloud->notes.push_back("There is no .pose file beside the scan, so it stands at the origin of the map.");
   return single(std::move(cloud));
 }
 
@@ -93,7 +94,8 @@ RawClouds readRaw(const std::string& path, std::string bytes, const ReadOptions&
   const std::string extension = lowerExtension(path);
   if (bytes.empty()) return Error{path, "", "the file is empty", "copy or save it again"};
   for (const std::string_view mark : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"})
-    if (bytes.starts_with(mark)) return Error{path, "byte 0", "the file begins with a byte-order mark", "save it as plain ASCII text"};
+    if (bytes.starts_with(mark))
+      return Error{path, "byte 0", "the file begins with a byte-order mark", "save it as plain ASCII text"};
   // by content
   if (looksLikePcd(bytes)) return single(readPcd(path, std::move(bytes)));
   if (looksLikePly(bytes)) return single(readPly(path, std::move(bytes)));
@@ -111,7 +113,8 @@ RawClouds readRaw(const std::string& path, std::string bytes, const ReadOptions&
   if (extension == ".3d") return readUosWithPose(path, bytes, options);
   if (extension == ".xyz" || extension == ".txt" || extension == ".csv") return single(readXyz(path, bytes));
   if (const ForeignFormat* format = foreignFormat(bytes, extension))
-    return Error{path, "", std::string(format->name) + " files are not scans and are not read", "convert it to PLY, PCD or to text with x y z a line"};
+    return Error{path, "", std::string(format->name) + " files are not scans and are not read",
+                 "convert it to PLY, PCD or to text with x y z a line"};
   return Error{path, "", "neither content nor extension tell a known scan format", kReadable};
 }
 
@@ -119,14 +122,10 @@ RawClouds readRaw(const std::string& path, std::string bytes, const ReadOptions&
 
 const std::vector<FormatInfo>& scanFormats() {
   static const std::vector<FormatInfo> formats = {
-      {"PCD", {".pcd"}, true},
-      {"PLY", {".ply"}, false},
-      {"PTX", {".ptx"}, false},
-      {"PTS", {".pts"}, false},
-      {"LAS", {".las"}, false},
-      {"E57", {".e57"}, false},
-      {"UOS scan", {".3d"}, false},
-      {"XYZ text", {".xyz", ".txt", ".csv"}, true},
+      {"PCD", {".pcd"}, true},      {"PLY", {".ply"}, false},
+      {"PTX", {".ptx"}, false},     {"PTS", {".pts"}, false},
+      {"LAS", {".las"}, false},     {"E57", {".e57"}, false},
+      {"UOS scan", {".3d"}, false}, {"XYZ text", {".xyz", ".txt", ".csv"}, true},
   };
   return formats;
 }
@@ -145,11 +144,15 @@ Expected<std::vector<Scan>> readAllScans(const std::string& path, const ReadOpti
   return readAllScanBytes(path, std::move(bytes).value(), options);
 }
 
-Expected<std::vector<Scan>> readAllScanBytes(const std::string& path, std::string bytes, const ReadOptions& options) {
+Expected<std::vector<Scan>> readAllScanBytes(const std::string& path, std::string bytes,
+                                             const ReadOptions& options) {
   auto clouds = readRaw(path, std::move(bytes), options);
   if (!clouds) return clouds.error();
   if (clouds->size() > 1 && options.pose)
-    return Error{path, "pose", "one pose for the " + std::to_string(clouds->size()) + " scans of the file, which has poses of its own", "leave the pose out"};
+    return Error{path, "pose",
+                 "one pose for the " + std::to_string(clouds->size()) +
+                     " scans of the file, which has poses of its own",
+                 "leave the pose out"};
   ReadOptions shared = options;
   std::vector<Scan> scans;
   for (RawCloud& cloud : *clouds) {
@@ -178,7 +181,8 @@ Expected<Scan> readScanBytes(const std::string& path, std::string bytes, const R
   auto scans = readAllScanBytes(path, std::move(bytes), options);
   if (!scans) return scans.error();
   Scan first = std::move(scans->front());
-  if (scans->size() > 1) first.notes.push_back("The file holds " + std::to_string(scans->size()) + " scans; this is the first.");
+  if (scans->size() > 1)
+    first.notes.push_back("The file holds " + std::to_string(scans->size()) + " scans; this is the first.");
   return first;
 }
 
@@ -192,15 +196,21 @@ Expected<Eigen::Isometry3d> poseFromText(const std::string& text) {
     const std::string_view token = takeToken(part);
     const auto number = numberFromText(token);
     if (!number || !takeToken(part).empty() || !std::isfinite(*number) || isAbsurdCoordinate(*number))
-      return Error{"", "pose", token.empty() ? "fewer than six numbers in " + quotedText(text) : quotedText(token) + " is not a usable number", remedy};
+      return Error{"", "pose",
+                   token.empty() ? "fewer than six numbers in " + quotedText(text)
+                                 : quotedText(token) + " is not a usable number",
+                   remedy};
     v[i] = *number;
     const bool last = i + 1 == v.size();
-    if (last && end < rest.size()) return Error{"", "pose", "more than six numbers in " + quotedText(text), remedy};
-    if (!last && end == rest.size()) return Error{"", "pose", "fewer than six numbers in " + quotedText(text), remedy};
+    if (last && end < rest.size())
+      return Error{"", "pose", "more than six numbers in " + quotedText(text), remedy};
+    if (!last && end == rest.size())
+      return Error{"", "pose", "fewer than six numbers in " + quotedText(text), remedy};
     if (!last) rest.remove_prefix(end + 1);
   }
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = (Eigen::AngleAxisd(degToRad(v[5]), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(degToRad(v[4]), Eigen::Vector3d::UnitY()) *
+  pose.linear() = (Eigen::AngleAxisd(degToRad(v[5]), Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(degToRad(v[4]), Eigen::Vector3d::UnitY()) *
                    Eigen::AngleAxisd(degToRad(v[3]), Eigen::Vector3d::UnitX()))
                       .toRotationMatrix();
   pose.translation() = Eigen::Vector3d(v[0], v[1], v[2]);

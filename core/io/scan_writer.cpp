@@ -20,7 +20,8 @@ struct Points {
   bool far;  // the local origin goes back into the coordinates, which then need doubles
 
   explicit Points(const Scan& scan)
-      : scanFrame(scan.unordered() ? std::span<const Eigen::Vector3f>(scan.cloud) : scan.lattice->points().values()),
+      : scanFrame(scan.unordered() ? std::span<const Eigen::Vector3f>(scan.cloud)
+                                   : scan.lattice->points().values()),
         map_T_scan(scan.pose.map_T_scan),
         stay(scan.pose.map_T_scan.matrix() == Eigen::Matrix4d::Identity()),
         origin(scan.localOrigin),
@@ -42,12 +43,13 @@ std::string pcdBytes(const Scan& scan) {
   for (const double v : {place.x(), place.y(), place.z(), q.w(), q.x(), q.y(), q.z()})
     viewpoint += " " + shortestText(v + 0.0);  // no "-0"
 
-  const size_t width = scan.unordered() ? points.scanFrame.size() : static_cast<size_t>(scan.lattice->beams());
+  const size_t width =
+      scan.unordered() ? points.scanFrame.size() : static_cast<size_t>(scan.lattice->beams());
   const size_t height = scan.unordered() ? 1 : static_cast<size_t>(scan.lattice->lines());
-  std::string bytes =
-      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE " +
-      std::string(points.far ? "8 8 8" : "4 4 4") + "\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + std::to_string(width) + "\nHEIGHT " + std::to_string(height) + "\nVIEWPOINT" + viewpoint + "\nPOINTS " +
-      std::to_string(width * height) + "\nDATA binary\n";
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE " +
+                      std::string(points.far ? "8 8 8" : "4 4 4") + "\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " +
+                      std::to_string(width) + "\nHEIGHT " + std::to_string(height) + "\nVIEWPOINT" +
+                      viewpoint + "\nPOINTS " + std::to_string(width * height) + "\nDATA binary\n";
   const size_t header = bytes.size();
   const auto put = [&](auto pointOf) {
     constexpr size_t kPointBytes = sizeof(pointOf(0));
@@ -68,10 +70,13 @@ std::string textBytes(const Scan& scan, char separator) {
   const Points points(scan);
   std::string bytes;
   const auto put = [&](const auto& p) {
-    if (p.allFinite()) bytes += shortestText(p.x()) + separator + shortestText(p.y()) + separator + shortestText(p.z()) + '\n';
+    if (p.allFinite())
+      bytes += shortestText(p.x()) + separator + shortestText(p.y()) + separator + shortestText(p.z()) + '\n';
   };
   // A tenth of a millimetre is less than any scanner tells; more digits would be the doubles' noise.
-  const auto rounded = [](const Eigen::Vector3d& p) { return Eigen::Vector3d((p * 1e4).array().round() / 1e4); };
+  const auto rounded = [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d((p * 1e4).array().round() / 1e4);
+  };
   for (size_t i = 0; i < points.scanFrame.size(); ++i) {
     if (points.far)
       put(rounded(points.farAway(i)));
@@ -91,7 +96,8 @@ Expected<std::string> scanBytes(const Scan& scan, const std::string& path) {
   if (extension == ".pcd") return pcdBytes(scan);
   if (extension == ".xyz" || extension == ".txt") return textBytes(scan, ' ');
   if (extension == ".csv") return textBytes(scan, ',');
-  return Error{path, "", "scans cannot be written in the format " + quotedText(extension), "end the name in .pcd, .xyz, .txt or .csv"};
+  return Error{path, "", "scans cannot be written in the format " + quotedText(extension),
+               "end the name in .pcd, .xyz, .txt or .csv"};
 }
 
 Status writeScan(const Scan& scan, const std::string& path) {

@@ -15,7 +15,8 @@ namespace stratascope {
 
 namespace {
 
-/// A point's direction from the sensor. `across` grows from left to right, 0 at the left edge; NaN if there is no direction.
+/// A point's direction from the sensor. `across` grows from left to right, 0 at the left edge; NaN if there
+/// is no direction.
 struct Direction {
   float across = kNaNf;
   float elevation = kNaNf;
@@ -29,34 +30,41 @@ struct SphereGrid {
   int rows = 0;
   int cols = 0;
   size_t size() const { return static_cast<size_t>(rows) * static_cast<size_t>(cols); }
-  /// Cells are centred on multiples of the step, so that points already on a regular grid do not straddle two cells.
+  /// Cells are centred on multiples of the step, so that points already on a regular grid do not straddle two
+  /// cells.
   size_t neuron(const Direction& d) const {
     const auto row = static_cast<size_t>((d.elevation - lowest) / step + 0.5);
     const auto col = static_cast<size_t>(d.across / step + 0.5);
-    return std::min(row, static_cast<size_t>(rows - 1)) * static_cast<size_t>(cols) + std::min(col, static_cast<size_t>(cols - 1));
+    return std::min(row, static_cast<size_t>(rows - 1)) * static_cast<size_t>(cols) +
+           std::min(col, static_cast<size_t>(cols - 1));
   }
 };
 
-std::vector<Direction> directionsOf(const std::vector<Eigen::Vector3f>& cloud, const Eigen::Isometry3d& sensor_T_scan) {
+std::vector<Direction> directionsOf(const std::vector<Eigen::Vector3f>& cloud,
+                                    const Eigen::Isometry3d& sensor_T_scan) {
   std::vector<Direction> directions(cloud.size());
   for (size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud[i].allFinite()) continue;
     const Eigen::Vector3d p = sensor_T_scan * cloud[i].cast<double>();
     const double range = p.norm();
     if (!(range > 0)) continue;
-    directions[i] = {static_cast<float>(kPi - std::atan2(p.y(), p.x())), static_cast<float>(std::atan2(p.z(), std::hypot(p.x(), p.y()))),
+    directions[i] = {static_cast<float>(kPi - std::atan2(p.y(), p.x())),
+                     static_cast<float>(std::atan2(p.z(), std::hypot(p.x(), p.y()))),
                      static_cast<float>(range)};
   }
   return directions;
 }
 
-/// Turns `across` so that the widest empty sector, if it is worth it, lies outside, and the leftmost point is at 0.
+/// Turns `across` so that the widest empty sector, if it is worth it, lies outside, and the leftmost point is
+/// at 0.
 void placeSeam(std::vector<Direction>& directions) {
   constexpr int kBins = 720;
   constexpr int kMinGap = 30;  // 15°
   constexpr double kBin = 2 * kPi / kBins;
   std::array<bool, kBins> filled{};
-  const auto binOf = [](const Direction& d) { return std::clamp(static_cast<int>(d.across / kBin), 0, kBins - 1); };
+  const auto binOf = [](const Direction& d) {
+    return std::clamp(static_cast<int>(d.across / kBin), 0, kBins - 1);
+  };
   for (const Direction& d : directions)
     if (d.valid()) filled[static_cast<size_t>(binOf(d))] = true;
   int gapLength = 0;
@@ -133,11 +141,13 @@ SphereGrid chooseGrid(const std::vector<Direction>& directions, size_t count) {
     width = std::max(width, static_cast<double>(d.across));
   }
   const auto gridOf = [&](double step) {
-    return SphereGrid{step, lowest, static_cast<int>((highest - lowest) / step + 0.5) + 1, static_cast<int>(width / step + 0.5) + 1};
+    return SphereGrid{step, lowest, static_cast<int>((highest - lowest) / step + 0.5) + 1,
+                      static_cast<int>(width / step + 0.5) + 1};
   };
   // A few points far apart must not ask for a huge lattice.
   const size_t mostNeurons = 4096 + 16 * count;
-  double spacing = std::max(std::sqrt(filledSolidAngle(directions) / static_cast<double>(count)), kFinestStep);
+  double spacing =
+      std::max(std::sqrt(filledSolidAngle(directions) / static_cast<double>(count)), kFinestStep);
   while (gridOf(spacing * std::exp2(kLast / 4.0)).size() > mostNeurons) spacing *= 2;
   SphereGrid best;
   double bestShare = -1;
@@ -153,18 +163,21 @@ SphereGrid chooseGrid(const std::vector<Direction>& directions, size_t count) {
 
 std::string degreesText(double radians) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, radToDeg(radians), std::chars_format::fixed, 3).ptr;
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, radToDeg(radians), std::chars_format::fixed, 3).ptr;
   return std::string(buffer, end) + "°";
 }
 
-/// Neurons that see through a nearer surface between its points: most of what surrounds them is clearly nearer. Along the
-/// straight border of an object less than half of it is.
-std::vector<char> seeThrough(const SphereGrid& grid, const std::vector<std::int32_t>& pointOfNeuron, const std::vector<Direction>& directions) {
+/// Neurons that see through a nearer surface between its points: most of what surrounds them is clearly
+/// nearer. Along the straight border of an object less than half of it is.
+std::vector<char> seeThrough(const SphereGrid& grid, const std::vector<std::int32_t>& pointOfNeuron,
+                             const std::vector<Direction>& directions) {
   constexpr int kReach = 2;
   std::vector<char> result(pointOfNeuron.size(), 0);
   const auto rangeAt = [&](int row, int col) -> float {
     if (row < 0 || row >= grid.rows || col < 0 || col >= grid.cols) return -1;
-    const std::int32_t owner = pointOfNeuron[static_cast<size_t>(row) * static_cast<size_t>(grid.cols) + static_cast<size_t>(col)];
+    const std::int32_t owner =
+        pointOfNeuron[static_cast<size_t>(row) * static_cast<size_t>(grid.cols) + static_cast<size_t>(col)];
     return owner < 0 ? -1 : directions[static_cast<size_t>(owner)].range;
   };
   for (int row = 0; row < grid.rows; ++row)
@@ -179,7 +192,8 @@ std::vector<char> seeThrough(const SphereGrid& grid, const std::vector<std::int3
           ++seen;
           nearer += other < 0.95f * own - 0.10f ? 1 : 0;
         }
-      result[static_cast<size_t>(row) * static_cast<size_t>(grid.cols) + static_cast<size_t>(col)] = seen >= 6 && 2 * nearer > seen;
+      result[static_cast<size_t>(row) * static_cast<size_t>(grid.cols) + static_cast<size_t>(col)] =
+          seen >= 6 && 2 * nearer > seen;
     }
   return result;
 }
@@ -187,11 +201,13 @@ std::vector<char> seeThrough(const SphereGrid& grid, const std::vector<std::int3
 }  // namespace
 
 void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
-  require(cloud.size() <= static_cast<size_t>(std::numeric_limits<std::int32_t>::max()), "projectOntoSphere: too many points");
+  require(cloud.size() <= static_cast<size_t>(std::numeric_limits<std::int32_t>::max()),
+          "projectOntoSphere: too many points");
   for (Eigen::Vector3f& p : cloud)
     if (!p.allFinite()) p.setConstant(kNaNf);
   std::vector<Direction> directions = directionsOf(cloud, scan.pose.scan_T_sensor.inverse());
-  const auto count = static_cast<size_t>(std::count_if(directions.begin(), directions.end(), [](const Direction& d) { return d.valid(); }));
+  const auto count = static_cast<size_t>(
+      std::count_if(directions.begin(), directions.end(), [](const Direction& d) { return d.valid(); }));
   SphereGrid grid{1, 0, 1, 1};
   if (count > 0) {
     placeSeam(directions);
@@ -205,7 +221,8 @@ void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
   for (size_t i = 0; i < cloud.size(); ++i) {
     if (!directions[i].valid()) continue;
     std::int32_t& owner = pointOfNeuron[grid.neuron(directions[i])];
-    if (owner == kNone || directions[i].range < directions[static_cast<size_t>(owner)].range) owner = static_cast<std::int32_t>(i);
+    if (owner == kNone || directions[i].range < directions[static_cast<size_t>(owner)].range)
+      owner = static_cast<std::int32_t>(i);
   }
   const std::vector<char> hidden = seeThrough(grid, pointOfNeuron, directions);
   for (size_t n = 0; n < hidden.size(); ++n)
@@ -230,15 +247,18 @@ void projectOntoSphere(Scan& scan, std::vector<Eigen::Vector3f> cloud) {
     if (!directions[i].valid() || scan.neuronOfPoint[i] != kNone) continue;
     const size_t neuron = grid.neuron(directions[i]);
     const std::int32_t owner = pointOfNeuron[neuron];
-    if (owner == kNone || directions[i].range - directions[static_cast<size_t>(owner)].range > kSameSurface) continue;
+    if (owner == kNone || directions[i].range - directions[static_cast<size_t>(owner)].range > kSameSurface)
+      continue;
     scan.neuronOfPoint[i] = static_cast<std::int32_t>(neuron);
     ++shared;
   }
   scan.lattice = builder.freeze();
   scan.latticeOrigin = LatticeOrigin::Projected;
-  scan.notes.push_back("The cloud has no lattice: " + std::to_string(count) + " points seen from the sensor are projected onto a sphere, " +
-                       std::to_string(grid.rows) + " lines of " + std::to_string(grid.cols) + " beams with a step of " + degreesText(grid.step) +
-                       "; " + std::to_string(kept) + " have a neuron of their own, " + std::to_string(shared) +
+  scan.notes.push_back("The cloud has no lattice: " + std::to_string(count) +
+                       " points seen from the sensor are projected onto a sphere, " +
+                       std::to_string(grid.rows) + " lines of " + std::to_string(grid.cols) +
+                       " beams with a step of " + degreesText(grid.step) + "; " + std::to_string(kept) +
+                       " have a neuron of their own, " + std::to_string(shared) +
                        " share one, the others lie behind a nearer surface.");
   scan.cloud = std::move(cloud);
 }

@@ -61,7 +61,11 @@ std::string quotedText(std::string_view token) {
   return text + (token.size() > kMaxShown ? "…'" : "'");
 }
 
-std::string shortestText(float value) { return shortest(value); }
-std::string shortestText(double value) { return shortest(value); }
+std::string shortestText(float value) {
+  return shortest(value);
+}
+std::string shortestText(double value) {
+  return shortest(value);
+}
 
 }  // namespace stratascope

@@ -14,12 +14,14 @@ namespace stratascope {
 namespace {
 
 constexpr double kMetresPerUnit = 0.01;
-constexpr double kMaxRangeCm = 3270;            // the scanner's status codes begin at 3275.9
-constexpr double kOwnBodyRange = 0.48;          // nearer returns are the robot
-const double kNewLineFall = degToRad(60);       // a line sweeps 180° and starts again
+constexpr double kMaxRangeCm = 3270;       // the scanner's status codes begin at 3275.9
+constexpr double kOwnBodyRange = 0.48;     // nearer returns are the robot
+const double kNewLineFall = degToRad(60);  // a line sweeps 180° and starts again
 constexpr std::uint64_t kMaxColumns = 256;
 
-Eigen::Matrix3d ours_R_uos() { return oursFromFileAxes(FileAxes::YUpForward); }
+Eigen::Matrix3d ours_R_uos() {
+  return oursFromFileAxes(FileAxes::YUpForward);
+}
 
 /// "360 x 225" or "360x225"
 bool isSizeLine(std::string_view line) {
@@ -70,25 +72,36 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
     std::uint64_t n = 0;
     for (std::string_view token = takeToken(rest); !token.empty(); token = takeToken(rest), ++n) {
       const auto number = numberFromText(token);
-      if (!number) return Error{path, lines.where(), quotedText(token) + " is not a number", "each line holds x y z in cm, perhaps more numbers"};
-      if (n == kMaxColumns) return Error{path, lines.where(), "more than 256 numbers", "each line holds x y z in cm, perhaps more numbers"};
+      if (!number)
+        return Error{path, lines.where(), quotedText(token) + " is not a number",
+                     "each line holds x y z in cm, perhaps more numbers"};
+      if (n == kMaxColumns)
+        return Error{path, lines.where(), "more than 256 numbers",
+                     "each line holds x y z in cm, perhaps more numbers"};
       if (n < 3) p[static_cast<Eigen::Index>(n)] = *number;
     }
     if (n == 0) continue;
-    if (n < 3) return Error{path, lines.where(), std::to_string(n) + " of the 3 numbers x y z", "the file may be cut off: copy it again"};
+    if (n < 3)
+      return Error{path, lines.where(), std::to_string(n) + " of the 3 numbers x y z",
+                   "the file may be cut off: copy it again"};
     if (columns == 0) columns = n, firstRow = lines.number();
     if (n != columns)
       return Error{path, lines.where(),
-                   std::to_string(n) + " numbers, but " + std::to_string(columns) + " in line " + std::to_string(firstRow),
+                   std::to_string(n) + " numbers, but " + std::to_string(columns) + " in line " +
+                       std::to_string(firstRow),
                    "all lines must have the same columns"};
     for (const double v : p)
       if (isAbsurdCoordinate(v * kMetresPerUnit))
-        return Error{path, lines.where(), "a coordinate of " + shortestText(v) + " cm", "is the file damaged?"};
-    if (!lines.hasLineEnd()) cloud.notes.push_back("The last line has no line end; its last number may be cut off.");
+        return Error{path, lines.where(), "a coordinate of " + shortestText(v) + " cm",
+                     "is the file damaged?"};
+    if (!lines.hasLineEnd())
+      cloud.notes.push_back("The last line has no line end; its last number may be cut off.");
 
     const double range = p.norm();
     // without a direction the point cannot begin a line
-    angles.push_back(range > 0 && p.allFinite() ? std::atan2(std::hypot(p.y(), p.z()), p.x()) : angles.empty() ? 0 : angles.back());
+    angles.push_back(range > 0 && p.allFinite() ? std::atan2(std::hypot(p.y(), p.z()), p.x())
+                     : angles.empty()           ? 0
+                                                : angles.back());
     if (range > kMaxRangeCm) ++codes;
     if (range < kOwnBodyRange / kMetresPerUnit) ++ownBody;
     if (range <= kMaxRangeCm)  // NaN is neither
@@ -105,15 +118,23 @@ Expected<RawCloud> readUos(const std::string& path, std::string_view bytes) {
     cloud.latticeOrigin = LatticeOrigin::Recovered;
     for (auto line = cloud.points.begin(); line != cloud.points.end(); line += cloud.beams)
       std::reverse(line, line + cloud.beams);  // written from right to left
-    cloud.notes.push_back("Lattice recovered from the order of the points: " + std::to_string(cloud.lines) + " lines of " +
-                          std::to_string(cloud.beams) + " beams.");
+    cloud.notes.push_back("Lattice recovered from the order of the points: " + std::to_string(cloud.lines) +
+                          " lines of " + std::to_string(cloud.beams) + " beams.");
   } else {
-    cloud.notes.push_back("The order of the points shows no scan lines of equal length, so the lattice is made by projection.");
+    cloud.notes.push_back(
+        "The order of the points shows no scan lines of equal length, so the lattice is made by projection.");
   }
-  if (!sizeLine.empty()) cloud.notes.push_back("The first line, " + quotedText(sizeLine) + ", is not used: such lines are often wrong.");
-  if (codes > 0) cloud.notes.push_back(std::to_string(codes) + " points beyond 32.70 m are the scanner's status codes and count as missing returns.");
+  if (!sizeLine.empty())
+    cloud.notes.push_back("The first line, " + quotedText(sizeLine) +
+                          ", is not used: such lines are often wrong.");
+  if (codes > 0)
+    cloud.notes.push_back(
+        std::to_string(codes) +
+        " points beyond 32.70 m are the scanner's status codes and count as missing returns.");
   if (ownBody > 0)
-    cloud.notes.push_back(std::to_string(ownBody) + " points nearer than 0.48 m are the robot itself: kept in the scan, left out of network and maps.");
+    cloud.notes.push_back(
+        std::to_string(ownBody) +
+        " points nearer than 0.48 m are the robot itself: kept in the scan, left out of network and maps.");
   return cloud;
 }
 
@@ -138,9 +159,8 @@ Expected<Eigen::Isometry3d> readUosPose(const std::string& path, std::string_vie
   const double sy = std::sin(degToRad(v[4])), cy = std::cos(degToRad(v[4]));
   const double sz = std::sin(degToRad(v[5])), cz = std::cos(degToRad(v[5]));
   Eigen::Matrix3d rotation;  // Rx Ry Rz, in the left-handed UOS axes
-  rotation << cy * cz,                -cy * sz,                sy,
-              sx * sy * cz + cx * sz, -sx * sy * sz + cx * cz, -sx * cy,
-             -cx * sy * cz + sx * sz,  cx * sy * sz + sx * cz, cx * cy;
+  rotation << cy * cz, -cy * sz, sy, sx * sy * cz + cx * sz, -sx * sy * sz + cx * cz, -sx * cy,
+      -cx * sy * cz + sx * sz, cx * sy * sz + sx * cz, cx * cy;
   // Changing axes on both sides keeps it a rotation, though the axes change hands.
   const Eigen::Matrix3d axes = ours_R_uos();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -15,7 +15,9 @@ namespace {
 
 constexpr size_t kMaxColumns = 256;
 
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
+bool isBlank(char c) {
+  return c == ' ' || c == '\t';
+}
 
 /// Splits a row into `columns`. What is wrong with it comes back as text; empty if nothing is.
 /// One kind of separator a row: with two kinds a decimal comma would silently become two columns.
@@ -76,7 +78,8 @@ std::array<size_t, 3> coordinateColumns(const std::vector<std::string>& names) {
 }  // namespace
 
 Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
-  const char* const remedy = "each line holds x y z in metres with decimal points, separated by blanks, commas or semicolons";
+  const char* const remedy =
+      "each line holds x y z in metres with decimal points, separated by blanks, commas or semicolons";
   RawCloud cloud;
   cloud.format = "XYZ text";
   cloud.wideCoordinates = true;
@@ -91,14 +94,17 @@ Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
     while (!row.empty() && isBlank(row.back())) row.remove_suffix(1);
     while (!row.empty() && isBlank(row.front())) row.remove_prefix(1);
     if (row.empty() || row.starts_with('#') || row.starts_with("//")) continue;
-    if (std::string problem = splitRow(row, columns); !problem.empty()) return Error{path, lines.where(), problem, remedy};
+    if (std::string problem = splitRow(row, columns); !problem.empty())
+      return Error{path, lines.where(), problem, remedy};
     if (columns.size() < 3)
       return Error{path, lines.where(), std::to_string(columns.size()) + " of at least 3 columns", remedy};
     if (firstRow == 0) {
       firstRow = lines.number();
       const bool named = std::all_of(columns.begin(), columns.end(), isName);
       for (size_t c = 0; c < columns.size(); ++c)
-        cloud.fields.push_back(named ? plainName(columns[c]) : c < 3 ? std::string(1, "xyz"[c]) : "column_" + std::to_string(c + 1));
+        cloud.fields.push_back(named   ? plainName(columns[c])
+                               : c < 3 ? std::string(1, "xyz"[c])
+                                       : "column_" + std::to_string(c + 1));
       if (named) {
         coordinates = coordinateColumns(cloud.fields);
         continue;
@@ -106,7 +112,8 @@ Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
     }
     if (columns.size() != cloud.fields.size())
       return Error{path, lines.where(),
-                   std::to_string(columns.size()) + " columns, but " + std::to_string(cloud.fields.size()) + " in line " + std::to_string(firstRow),
+                   std::to_string(columns.size()) + " columns, but " + std::to_string(cloud.fields.size()) +
+                       " in line " + std::to_string(firstRow),
                    "all lines must have the same columns"};
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     for (size_t c = 0; c < columns.size(); ++c) {
@@ -119,7 +126,8 @@ Expected<RawCloud> readXyz(const std::string& path, std::string_view bytes) {
       if (isAbsurdCoordinate(v))
         return Error{path, lines.where(), "a coordinate of " + shortestText(v) + " m",
                      "is the file damaged, or in another unit? Coordinates are metres, at most 1e9"};
-    if (!lines.hasLineEnd()) cloud.notes.push_back("The last line has no line end; its last number may be cut off.");
+    if (!lines.hasLineEnd())
+      cloud.notes.push_back("The last line has no line end; its last number may be cut off.");
     cloud.points.push_back(origin.shifted(p));
   }
   cloud.localOrigin = origin.origin();

@@ -32,8 +32,8 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
 
   PointImage image;
   image.range = feedForward<float>(
-      measured.rows(), measured.cols(),
-      [&](GridIndex at) { return limits.rangeOf(measured(at)); }, execution);
+      measured.rows(), measured.cols(), [&](GridIndex at) { return limits.rangeOf(measured(at)); },
+      execution);
   image.points = feedForward<Eigen::Vector3f>(
       measured.rows(), measured.cols(),
       [&](GridIndex at) -> Eigen::Vector3f {

@@ -13,7 +13,7 @@ namespace stratascope {
 
 namespace {
 
-constexpr size_t kEnough = 200;    // second differences for a median good to a few per cent
+constexpr size_t kEnough = 200;   // second differences for a median good to a few per cent
 constexpr size_t kAsked = 50000;  // of the whole scan: good to one per cent
 
 double medianOf(std::vector<float>& values) {

@@ -42,7 +42,8 @@ private:
   // Two bins an octave from 0.25 m, read off the number's exponent and mantissa.
   static int binOf(float r) {
     const auto bits = std::bit_cast<std::uint32_t>(r);
-    const int octave = static_cast<int>(bits >> 23) - 127, upper = (bits & 0x7fffffu) >= 0x3504f3u ? 1 : 0;  // √2
+    const int octave = static_cast<int>(bits >> 23) - 127,
+              upper = (bits & 0x7fffffu) >= 0x3504f3u ? 1 : 0;  // √2
     return std::clamp(2 * (octave + 2) + upper, 0, kBins - 1);
   }
 };

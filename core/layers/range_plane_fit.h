@@ -45,8 +45,8 @@ struct RangePlane {
   double residual = 0;
   bool valid = false;  ///< false: fewer than 3 points, or all in one plane through the sensor
 
-  /// Predicted minus measured range along the beam of q, at range r = |q|; infinite if the beam never meets the
-  /// plane.
+  /// Predicted minus measured range along the beam of q, at range r = |q|; infinite if the beam never meets
+  /// the plane.
   double rangeError(const Eigen::Vector3d& q, double r) const {
     const double s = n.dot(q);
     return s < 0 ? r * (-1.0 / s - 1.0) : std::numeric_limits<double>::infinity();

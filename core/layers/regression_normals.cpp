@@ -17,7 +17,7 @@ namespace stratascope {
 
 namespace {
 
-constexpr int kMostHalf = 128;    // largest half-size of a window in neurons; bounds the lines a band must know
+constexpr int kMostHalf = 128;  // largest half-size of a window in neurons; bounds the lines a band must know
 constexpr int kBandLines = 1024;  // lines that share one summed-area table
 
 /// A window's half-sizes as shares of the largest one's.
@@ -44,15 +44,15 @@ struct Half {
   float lines = 0, beams = 0;
 };
 
-/// Half-sizes of a window a neuron's own plane came from, in whole neurons; small, for many are looked at. Both 0:
-/// none.
+/// Half-sizes of a window a neuron's own plane came from, in whole neurons; small, for many are looked at.
+/// Both 0: none.
 struct Window {
   std::uint8_t lines = 0, beams = 0;
 };
 
 /// What is asked about one neuron again and again.
 struct Beam {
-  Eigen::Vector3d q;  // from the sensor
+  Eigen::Vector3d q;       // from the sensor
   double range, variance;  // the latter of the scanner alone
 };
 
@@ -128,13 +128,15 @@ private:
   std::vector<std::uint32_t> openNeurons() const {
     std::vector<std::uint32_t> open;
     for (size_t o = 0; o < image_.range.size(); ++o)
-      if (image_.range[o] == image_.range[o] && !isKnown(o) && half_[o].lines >= 0.5f && half_[o].beams >= 0.5f)
+      if (image_.range[o] == image_.range[o] && !isKnown(o) && half_[o].lines >= 0.5f &&
+          half_[o].beams >= 0.5f)
         open.push_back(static_cast<std::uint32_t>(o));
     return open;
   }
   bool isKnown(size_t o) const { return result_.distance[o] == result_.distance[o]; }
   void dropKnown(std::vector<std::uint32_t>& open) const {
-    open.erase(std::remove_if(open.begin(), open.end(), [&](std::uint32_t o) { return isKnown(o); }), open.end());
+    open.erase(std::remove_if(open.begin(), open.end(), [&](std::uint32_t o) { return isKnown(o); }),
+               open.end());
   }
 
   // Windows around the neurons themselves; the next neuron along the line shares them, as above.
@@ -213,7 +215,8 @@ private:
       double best = 1;
       GridIndex from{-1, -1};
       void operator()(GridIndex to) {
-        const double disagreement = ownDisagreement(own, {self.result_.normals(to), self.result_.distance(to)});
+        const double disagreement =
+            ownDisagreement(own, {self.result_.normals(to), self.result_.distance(to)});
         if (disagreement < best) best = disagreement, from = to;
       }
     };
@@ -224,7 +227,8 @@ private:
         Offer offer{*this, beam(at)};
         ask(at, offer);
         if (offer.from.row >= 0)
-          from[static_cast<size_t>(&o - open.data())] = static_cast<std::uint32_t>(image_.range.offset(offer.from));
+          from[static_cast<size_t>(&o - open.data())] =
+              static_cast<std::uint32_t>(image_.range.offset(offer.from));
       }
     });
     copyFrom(from, open);
@@ -241,11 +245,14 @@ private:
   }
 
   template <class Body>
-  static void eachChunk(std::span<const std::uint32_t> neurons, const Execution& execution, const Body& body) {
+  static void eachChunk(std::span<const std::uint32_t> neurons, const Execution& execution,
+                        const Body& body) {
     constexpr int kChunk = 512;
     parallelRows(
         static_cast<int>(neurons.size()), execution,
-        [&](int begin, int end) { body(neurons.subspan(static_cast<size_t>(begin), static_cast<size_t>(end - begin))); },
+        [&](int begin, int end) {
+          body(neurons.subspan(static_cast<size_t>(begin), static_cast<size_t>(end - begin)));
+        },
         kChunk);
   }
 
@@ -275,8 +282,9 @@ private:
   }
 
   // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, and from
-  // the spacing of the neurons themselves where the surface is oblique. That is measured at ε2, near enough to
-  // stay on narrow surfaces, then at ε1 (the nearer side decides, the other may lie across a jump). Continuous.
+  // the spacing of the neurons themselves where the surface is oblique. That is measured at ε2, near enough
+  // to stay on narrow surfaces, then at ε1 (the nearer side decides, the other may lie across a jump).
+  // Continuous.
   float largestHalf(GridIndex at, GridIndex direction, double spacing) const {
     double half = std::min<double>(kMostHalf, params_.epsilon1 / std::max(spacing, 1e-9));
     for (const double share : {params_.epsilon2 / params_.epsilon1, 1.0}) {
@@ -300,7 +308,8 @@ private:
     const Half& largest = half_(at);
     if (largest.lines < 0.5f || largest.beams < 0.5f) return std::nullopt;
     if (std::max(shape.lines, shape.beams) * params_.epsilon1 <= params_.epsilon2) return std::nullopt;
-    const LatticeWindow window = around(at, shape.lines * largest.lines + 0.5f, shape.beams * largest.beams + 0.5f, sums);
+    const LatticeWindow window =
+        around(at, shape.lines * largest.lines + 0.5f, shape.beams * largest.beams + 0.5f, sums);
     if (window.bottom - window.top < 1 || window.right - window.left < 1) return std::nullopt;
     RangePlaneSums s = sums.over(window);
     double members = window.area();
@@ -324,7 +333,8 @@ private:
     const double freedom = s.n - 3;
     const double allowed = kVarianceMargin * (1 + 3 * std::sqrt(2 / freedom));  // 3 standard deviations of χ²
     fit.disagreement = fit.plane.residual / freedom / (expected * allowed);
-    if (fit.disagreement < 1) fit.disagreement = std::max(fit.disagreement, structure(window, fit.plane, r, cosine, sums));
+    if (fit.disagreement < 1)
+      fit.disagreement = std::max(fit.disagreement, structure(window, fit.plane, r, cosine, sums));
     if (!(fit.disagreement < 1)) return std::nullopt;
     fit.local = {fit.plane.unit.cast<float>(), static_cast<float>(fit.plane.fromSensor)};
     return fit;
@@ -345,8 +355,8 @@ private:
   static double ownDisagreement(const Beam& beam, const LocalPlane& plane) {
     const double along = -plane.normal.cast<double>().dot(beam.q);
     if (!(along > 0)) return std::numeric_limits<double>::infinity();
-    const double error = beam.range * (plane.distance / along - 1), cosine = std::max(0.05, along / beam.range),
-                 rough = RangeNoise::kRoughness / cosine;
+    const double error = beam.range * (plane.distance / along - 1),
+                 cosine = std::max(0.05, along / beam.range), rough = RangeNoise::kRoughness / cosine;
     return error * error / (kOwnSigmas * kOwnSigmas * (beam.variance + rough * rough));
   }
 
@@ -358,7 +368,8 @@ private:
     const int lines = window.bottom - window.top + 1, beams = window.right - window.left + 1;
     const int lineParts = std::min(3, lines / 2), beamParts = std::min(3, beams / 2);
     if (lineParts * beamParts <= 3) return 0;
-    const double variance = image_.noise.varianceAt(static_cast<float>(r)), rough = RangeNoise::kRoughness / std::max(0.05, cosine);
+    const double variance = image_.noise.varianceAt(static_cast<float>(r)),
+                 rough = RangeNoise::kRoughness / std::max(0.05, cosine);
     std::array<std::array<WindowSums::Means, 4>, 4> corner;
     for (int a = 0; a <= lineParts; ++a)
       for (int b = 0; b <= beamParts; ++b)
@@ -382,14 +393,14 @@ private:
   }
 
   static constexpr double kWithinNoise = 0.25;  // of a range error: nothing nearer would say more
-  static constexpr int kSpread = 3;          // steps
+  static constexpr int kSpread = 3;             // steps
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::array<double, 7> kChiSquare99 = {0, 6.63, 9.21, 11.34, 13.28, 15.09, 16.81};
 
   const PointImage& image_;
   const NormalParams& params_;
   NormalImage& result_;
-  Grid<Half> half_;    // of the largest window around each neuron
+  Grid<Half> half_;  // of the largest window around each neuron
   Grid<Window> window_;
   WindowSums sums_;
 };

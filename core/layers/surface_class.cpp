@@ -100,9 +100,11 @@ public:
         normals_(normals),
         cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))),
         spread_(feedForward<float>(
-            points.range.rows(), points.range.cols(), [this](GridIndex at) { return spreadAt(at); }, execution)) {
+            points.range.rows(), points.range.cols(), [this](GridIndex at) { return spreadAt(at); },
+            execution)) {
     for (size_t k = 0; k < offsets_.size(); ++k)
-      offsets_[k] = static_cast<std::ptrdiff_t>(kLatticeDirections[k].row) * points.range.cols() + kLatticeDirections[k].col;
+      offsets_[k] = static_cast<std::ptrdiff_t>(kLatticeDirections[k].row) * points.range.cols() +
+                    kLatticeDirections[k].col;
   }
 
   /// An edge class, or Unknown if the neuron is on no edge.
@@ -113,7 +115,8 @@ public:
     const float diagonal = std::sqrt(step.line * step.line + step.beam * step.beam);
     const auto noise = static_cast<float>(6 * points_.noise.sigmaAt(points_.range(at)));
     const size_t o = points_.range.offset(at);
-    const bool atBorder = at.row == 0 || at.col == 0 || at.row + 1 == points_.range.rows() || at.col + 1 == points_.range.cols();
+    const bool atBorder = at.row == 0 || at.col == 0 || at.row + 1 == points_.range.rows() ||
+                          at.col + 1 == points_.range.cols();
     const float range = points_.range[o];
     const Eigen::Vector3f normal = normals_.normals[o];
     for (size_t k = 0; k < kLatticeDirections.size(); ++k) {
@@ -160,8 +163,8 @@ private:
   }
 
   // By how much the normals of two surfaces open, (n₂ − n₁)·(p₂ − p₁): above 0 convex, below concave, 0 no
-  // crease. `b` lies from `a` in that direction. Right at the crease noise puts neurons on the wrong side, so the
-  // points are taken a little farther out on both surfaces, and all pairs around a neuron add up.
+  // crease. `b` lies from `a` in that direction. Right at the crease noise puts neurons on the wrong side, so
+  // the points are taken a little farther out on both surfaces, and all pairs around a neuron add up.
   float openingBetween(GridIndex a, GridIndex b, GridIndex direction) const {
     const Eigen::Vector3f &n1 = normals_.normals(a), &n2 = normals_.normals(b);
     if (!known(n1) || !known(n2) || n1.dot(n2) >= cosParallel_) return 0;
@@ -169,7 +172,9 @@ private:
                          points_.points(farther(a, {-direction.row, -direction.col})));
   }
   static SurfaceClass creaseOf(float opening) {
-    return opening > 0 ? SurfaceClass::ConvexEdge : opening < 0 ? SurfaceClass::ConcaveEdge : SurfaceClass::Unknown;
+    return opening > 0   ? SurfaceClass::ConvexEdge
+           : opening < 0 ? SurfaceClass::ConcaveEdge
+                         : SurfaceClass::Unknown;
   }
 
   // Up to three neurons on, while the surface stays the same.
@@ -232,8 +237,7 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
         const SurfaceClass onEdge = edge(at);
         if (onEdge != SurfaceClass::Unknown) return onEdge;
         const Eigen::Vector3f& n = normals.normals(at);
-        return known(n) ? classWithin(n.cast<double>(), facing, least)
-                        : SurfaceClass::Unknown;
+        return known(n) ? classWithin(n.cast<double>(), facing, least) : SurfaceClass::Unknown;
       },
       execution);
   if (params.clean) cleanSurfaces(image.classes, execution);

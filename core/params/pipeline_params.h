@@ -8,7 +8,8 @@
 
 namespace stratascope {
 
-/// All lengths in metres; angles in radians, with the suffix Deg in degrees. Defaults are section 7 of the method.
+/// All lengths in metres; angles in radians, with the suffix Deg in degrees. Defaults are section 7 of the
+/// method.
 
 struct RangeParams {
   double minRange = 0.0;  ///< nearer returns are missing; the scan's own-body range applies too. 0 = no limit
@@ -38,7 +39,7 @@ struct PlaneParams {
   double angleToleranceDeg = 15;  ///< the same parameter as ClassParams'
   double planeDistance = 0.03;    ///< farther points are never of the plane
   int minPlanePoints = 90;        ///< smaller regions are no planes
-  bool joinCoplanar = false;       ///< join pieces of one plane split by an occluder
+  bool joinCoplanar = false;      ///< join pieces of one plane split by an occluder
   bool operator==(const PlaneParams&) const = default;
 };
 
@@ -63,7 +64,8 @@ struct PipelineParams {
   IntervalParams intervals;
   bool operator==(const PipelineParams&) const = default;
 
-  /// Every problem at once, one sentence each; empty if the parameters can be used. Core refuses, it never clamps.
+  /// Every problem at once, one sentence each; empty if the parameters can be used. Core refuses, it never
+  /// clamps.
   std::vector<std::string> validate() const;
 };
 

@@ -69,7 +69,8 @@ Worker::~Worker() {
   state_->thread.join();
 }
 
-void Worker::request(std::optional<std::vector<ScanPtr>> scans, const PipelineParams& params, ScanChange change) {
+void Worker::request(std::optional<std::vector<ScanPtr>> scans, const PipelineParams& params,
+                     ScanChange change) {
   State& s = *state_;
   {
     const std::lock_guard lock(s.mutex);

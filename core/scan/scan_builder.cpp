@@ -9,7 +9,9 @@
 
 namespace stratascope {
 
-ScanBuilder::ScanBuilder(int beams) : beams_(beams) { require(beams > 0, "ScanBuilder: no beams"); }
+ScanBuilder::ScanBuilder(int beams) : beams_(beams) {
+  require(beams > 0, "ScanBuilder: no beams");
+}
 
 ScanBuilder::ScanBuilder(std::vector<float> beamAngles) : beams_(static_cast<int>(beamAngles.size())) {
   require(beams_ > 0, "ScanBuilder: no beams");
@@ -58,7 +60,8 @@ void ScanBuilder::appendLine(std::span<const Eigen::Vector3f> points) {
 void ScanBuilder::appendPolarLine(std::span<const float> ranges, std::span<const float> headAngles) {
   require(!lattice_.beamAngles_.empty(), "ScanBuilder: polar line in a Cartesian scan");
   require(static_cast<int>(ranges.size()) == beams_, "ScanBuilder: wrong line length");
-  require(headAngles.size() == 1 || headAngles.size() == ranges.size(), "ScanBuilder: wrong number of head angles");
+  require(headAngles.size() == 1 || headAngles.size() == ranges.size(),
+          "ScanBuilder: wrong number of head angles");
   require(lattice_.headAngles_.empty() || lattice_.headAngles_.cols() == static_cast<int>(headAngles.size()),
           "ScanBuilder: one head angle a line and one a beam in the same scan");
   std::vector<Eigen::Vector3f> line(ranges.size(), Eigen::Vector3f::Constant(kNaNf));
@@ -73,7 +76,9 @@ void ScanBuilder::appendPolarLine(std::span<const float> ranges, std::span<const
   lattice_.headAngles_.appendRow(headAngles);
 }
 
-std::shared_ptr<const ScanLattice> ScanBuilder::snapshot() const { return std::make_shared<ScanLattice>(lattice_); }
+std::shared_ptr<const ScanLattice> ScanBuilder::snapshot() const {
+  return std::make_shared<ScanLattice>(lattice_);
+}
 
 std::shared_ptr<const ScanLattice> ScanBuilder::freeze() {
   auto frozen = std::make_shared<ScanLattice>(std::move(lattice_));

@@ -11,22 +11,24 @@
 
 namespace stratascope {
 
-/// Builds a lattice line by line, then freezes it. Points that are not finite in all coordinates become missing (NaN in
-/// all three). Wrong lengths are bad calls and throw std::logic_error.
+/// Builds a lattice line by line, then freezes it. Points that are not finite in all coordinates become
+/// missing (NaN in all three). Wrong lengths are bad calls and throw std::logic_error.
 class ScanBuilder {
- public:
+public:
   /// Cartesian lines: points in the scan frame.
   explicit ScanBuilder(int beams);
   /// Polar lines: beam angles φ by column, rising.
   explicit ScanBuilder(std::vector<float> beamAngles);
-  /// Cartesian lines that come in any order: `lines` rows without a return, to be set. 0 = the number is not known.
+  /// Cartesian lines that come in any order: `lines` rows without a return, to be set. 0 = the number is not
+  /// known.
   ScanBuilder(int lines, int beams);
 
   void appendLine(std::span<const Eigen::Vector3f> points);
   /// Ranges in metres, NaN or <= 0 = missing; one head angle for the line, or one a beam.
   void appendPolarLine(std::span<const float> ranges, std::span<const float> headAngles);
 
-  /// Fills a row of a Cartesian scan, or fills it anew; rows up to it are added as missing returns where there were none.
+  /// Fills a row of a Cartesian scan, or fills it anew; rows up to it are added as missing returns where
+  /// there were none.
   void setLine(int line, std::span<const Eigen::Vector3f> points);
   /// Makes a row missing returns again.
   void clearLine(int line);
@@ -37,7 +39,7 @@ class ScanBuilder {
   /// Hands the lattice over; the builder is empty afterwards.
   std::shared_ptr<const ScanLattice> freeze();
 
- private:
+private:
   ScanLattice lattice_;
   int beams_;
 };

@@ -29,14 +29,16 @@ enum class LatticeOrigin : std::uint8_t {
   Projected,  ///< made by projecting an unordered cloud onto a spherical grid
 };
 
-/// The neurons' input: lines × beams (rows = head angles in the order they were taken, columns = beams from left to
-/// right), each a point in the scan frame, or none. Immutable once built (see ScanBuilder); share by pointer.
+/// The neurons' input: lines × beams (rows = head angles in the order they were taken, columns = beams from
+/// left to right), each a point in the scan frame, or none. Immutable once built (see ScanBuilder); share by
+/// pointer.
 class ScanLattice {
- public:
+public:
   int lines() const { return points_.rows(); }
   int beams() const { return points_.cols(); }
 
-  /// Measured points in the scan frame; all three coordinates NaN where nothing came back. Never (0,0,0) for a miss.
+  /// Measured points in the scan frame; all three coordinates NaN where nothing came back. Never (0,0,0) for
+  /// a miss.
   const Grid<Eigen::Vector3f>& points() const { return points_; }
 
   /// Head angle θ a line (lines × 1), or a neuron (lines × beams) if the head turned while the mirror span;
@@ -47,7 +49,7 @@ class ScanLattice {
 
   size_t missingCount() const { return missing_; }
 
- private:
+private:
   friend class ScanBuilder;
   Grid<Eigen::Vector3f> points_;
   Grid<float> headAngles_;
@@ -65,18 +67,20 @@ struct Scan {
   ScanPose pose;
   std::vector<std::string> fields;  ///< as in the file: x y z intensity …
   std::vector<std::string> notes;   ///< one sentence each: what was recovered, dropped, guessed
-  /// Returns nearer than this are the robot itself, by the format's convention; 0 = no such convention. Metres.
+  /// Returns nearer than this are the robot itself, by the format's convention; 0 = no such convention.
+  /// Metres.
   double ownBodyRange = 0;
-  /// A coordinate of the file in metres and our axes (moved by map_T_scan) = a map coordinate + this: how far coordinates, a
-  /// survey's eastings and northings, keep their digits. Zero where the map's frame is the file's. Metres.
+  /// A coordinate of the file in metres and our axes (moved by map_T_scan) = a map coordinate + this: how far
+  /// coordinates, a survey's eastings and northings, keep their digits. Zero where the map's frame is the
+  /// file's. Metres.
   Eigen::Vector3d localOrigin = Eigen::Vector3d::Zero();
   std::string fileUnit;  ///< the unit the file's coordinates were read in: "m", "cm", …; empty if no file
   std::string fileAxes;  ///< the axes they were read in: "z-up", "y-down", …; empty if no file
 
   /// Only for Projected lattices: every point of the file in its order, scan frame, NaN kept…
   std::vector<Eigen::Vector3f> cloud;
-  /// …and the offset of the neuron that stands for each: its own, or that of a point just before it on the same beam; −1
-  /// where a nearer surface hides the point or it is NaN.
+  /// …and the offset of the neuron that stands for each: its own, or that of a point just before it on the
+  /// same beam; −1 where a nearer surface hides the point or it is NaN.
   std::vector<std::int32_t> neuronOfPoint;
 
   bool unordered() const { return latticeOrigin == LatticeOrigin::Projected; }

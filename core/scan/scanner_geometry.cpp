@@ -23,7 +23,11 @@ PolarReading polarFromPoint(const Eigen::Vector3d& point) {
   return reading;
 }
 
-double headAngleFromElevation(double elevation) { return kPi / 2 - elevation; }
-double elevationFromHeadAngle(double headAngle) { return kPi / 2 - headAngle; }
+double headAngleFromElevation(double elevation) {
+  return kPi / 2 - elevation;
+}
+double elevationFromHeadAngle(double headAngle) {
+  return kPi / 2 - headAngle;
+}
 
 }  // namespace stratascope

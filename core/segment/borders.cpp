@@ -53,7 +53,8 @@ private:
                                *below = i + inside < region.rows() ? region.row(i + inside).data() : row;
             for (int j = (i / stride) % 2; j < region.cols(); j += 2) {
               const std::int32_t own = row[j];
-              const int left = j >= inside ? j - inside : j, right = j + inside < region.cols() ? j + inside : j;
+              const int left = j >= inside ? j - inside : j,
+                        right = j + inside < region.cols() ? j + inside : j;
               if (own == kNoRegion ||
                   (above[j] == own && below[j] == own && row[left] == own && row[right] == own))
                 continue;
@@ -182,7 +183,8 @@ std::vector<GridIndex> borderOf(const Neurons& neurons, const std::vector<char>&
             const int l = std::max(0, j - 1), r = std::min(region.cols() - 1, j + 1);
             const bool inside = above[l] == own && above[j] == own && above[r] == own && row[l] == own &&
                                 row[r] == own && below[l] == own && below[j] == own && below[r] == own;
-            if (!inside || (own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}))))
+            if (!inside ||
+                (own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}))))
               part.push_back({i, j});
           }
         }
@@ -212,7 +214,8 @@ size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int
     parallelRows(
         static_cast<int>(active.size()), execution,
         [&](int begin, int end) {
-          for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k) wanted[k] = rule(active[k], region);
+          for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k)
+            wanted[k] = rule(active[k], region);
         },
         kChunk);
     next.clear();

@@ -79,10 +79,11 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
   const Grid<std::int32_t>& region = regions.region;
   constexpr size_t kEnough = 3000;  // neurons to tell a curve by
   const std::vector<std::vector<GridIndex>> members = sampleOf(regions, kEnough);
-  constexpr double kSignificant = 40;     // χ² that three more coefficients must save
-  constexpr double kNoticeable = 0.12;    // χ² a neuron, too: some strays at a border make no curve
-  constexpr double kPipeRadius = 0.5;     // metres: a strip of a pipe or pillar bends so much that less tells it…
-  constexpr double kSurelyBent = 28;      // …χ² that chance does not save with three coefficients
+  constexpr double kSignificant = 40;   // χ² that three more coefficients must save
+  constexpr double kNoticeable = 0.12;  // χ² a neuron, too: some strays at a border make no curve
+  constexpr double kPipeRadius =
+      0.5;  // metres: a strip of a pipe or pillar bends so much that less tells it…
+  constexpr double kSurelyBent = 28;  // …χ² that chance does not save with three coefficients
   constexpr double kHardlyNoticeable = 0.04;
   constexpr double kNoMatter = 0.05;      // χ² a neuron by which the bend around may suit the region worse
   constexpr double kFitsWell = 2.0;       // χ² a neuron up to which the quadratic counts as an explanation
@@ -108,7 +109,8 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
     const bool sampled = members[l].size() < regions.size[l];
     const double saved = inside.planeError - inside.quadraticError;
     const bool bent = inside.radius < kLargestRadius && saved > std::max(kSignificant, kNoticeable * own.n);
-    const bool ofAPipe = inside.radius < kPipeRadius && saved > std::max(kSurelyBent, kHardlyNoticeable * own.n);
+    const bool ofAPipe =
+        inside.radius < kPipeRadius && saved > std::max(kSurelyBent, kHardlyNoticeable * own.n);
     if (inside.known && (bent || ofAPipe) && inside.quadraticError < kFitsWell * own.n) {
       curved[l] = 1;
       continue;
@@ -134,12 +136,12 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
     }
     if (wide.n < kNarrowGrowth * own.n) continue;
     const Verdict together = judge(wide);
-    curved[l] = together.known && together.radius < kLargestRadius &&
-                together.planeError > 2 * together.quadraticError &&
-                together.planeError - together.quadraticError > kSignificant &&
-                together.quadraticError < kFitsWell * wide.n &&
-                own.errorOf(together.coefficients) - inside.planeError <
-                    std::max(kSignificant, kNoMatter * own.n);
+    curved[l] =
+        together.known && together.radius < kLargestRadius &&
+        together.planeError > 2 * together.quadraticError &&
+        together.planeError - together.quadraticError > kSignificant &&
+        together.quadraticError < kFitsWell * wide.n &&
+        own.errorOf(together.coefficients) - inside.planeError < std::max(kSignificant, kNoMatter * own.n);
   }
   return curved;
 }

@@ -9,9 +9,10 @@
 
 namespace stratascope {
 
-/// Which regions lie on curved surfaces (pillars, pipes): a quadratic in the plane's own coordinates explains the region, or a
-/// narrow region together with what surrounds it without a jump, significantly better than a plane does, and bends with a
-/// radius below kLargestRadius. A crease is no such thing: a quadratic fits it badly.
+/// Which regions lie on curved surfaces (pillars, pipes): a quadratic in the plane's own coordinates explains
+/// the region, or a narrow region together with what surrounds it without a jump, significantly better than a
+/// plane does, and bends with a radius below kLargestRadius. A crease is no such thing: a quadratic fits it
+/// badly.
 std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& regions);
 
 inline constexpr double kLargestRadius = 1.5;  ///< metres; walls and floors bend, too, but wider

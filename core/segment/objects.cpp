@@ -47,8 +47,10 @@ std::vector<Members> collect(const PointImage& image, const PlaneRegions& region
 void dropInner(std::vector<Eigen::Vector2d>& points) {
   constexpr double kDiagonal = 0.70710678118654752;
   static const std::array<Eigen::Vector2d, 8> directions = {
-      Eigen::Vector2d(1, 0),  Eigen::Vector2d(kDiagonal, kDiagonal),   Eigen::Vector2d(0, 1),  Eigen::Vector2d(-kDiagonal, kDiagonal),
-      Eigen::Vector2d(-1, 0), Eigen::Vector2d(-kDiagonal, -kDiagonal), Eigen::Vector2d(0, -1), Eigen::Vector2d(kDiagonal, -kDiagonal)};
+      Eigen::Vector2d(1, 0),  Eigen::Vector2d(kDiagonal, kDiagonal),
+      Eigen::Vector2d(0, 1),  Eigen::Vector2d(-kDiagonal, kDiagonal),
+      Eigen::Vector2d(-1, 0), Eigen::Vector2d(-kDiagonal, -kDiagonal),
+      Eigen::Vector2d(0, -1), Eigen::Vector2d(kDiagonal, -kDiagonal)};
   if (points.size() < 64) return;
   std::array<Eigen::Vector2d, 8> corner;
   std::array<double, 8> farthest;

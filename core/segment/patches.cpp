@@ -15,7 +15,8 @@ namespace {
 // Of the middle of the lattice, so that blocks are about square in space.
 int linesPerBlock(const PointImage& points, int blockBeams) {
   const LatticeSteps::Step step = points.steps.at({points.range.rows() / 2, points.range.cols() / 2});
-  return std::clamp(static_cast<int>(std::lround(blockBeams * step.beam / std::max(step.line, 1e-6f))), 2, 10);
+  return std::clamp(static_cast<int>(std::lround(blockBeams * step.beam / std::max(step.line, 1e-6f))), 2,
+                    10);
 }
 
 }  // namespace
@@ -74,7 +75,9 @@ void Patches::labelBlock(const Block& block, std::vector<PatchSums>& sums, std::
         neurons_.addTo(patch, at);
         for (const GridIndex d : {GridIndex{0, 1}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{-1, 0}}) {
           const GridIndex to{at.row + d.row, at.col + d.col};
-          if (to.row < block.line || to.row >= block.endLine || to.col < block.beam || to.col >= block.endBeam) continue;
+          if (to.row < block.line || to.row >= block.endLine || to.col < block.beam ||
+              to.col >= block.endBeam)
+            continue;
           if (patch_(to) != kNoRegion || !neurons_.hasNormal(to) || !agree(at, to)) continue;
           patch_(to) = index;
           stack.push_back(to);
@@ -114,7 +117,8 @@ Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_
             if (whole) {
               if (first == kNoRegion) continue;
               part.sums[static_cast<size_t>(first)] += ofBlock_({r, c});
-              part.size[static_cast<size_t>(first)] += static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
+              part.size[static_cast<size_t>(first)] +=
+                  static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
               continue;
             }
             for (int i = b.line; i < b.endLine; ++i)
@@ -139,7 +143,8 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int3
   std::vector<GridIndex> offsets;
   for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, 0}, {0, reach}});
   if (diagonally)
-    for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, reach}, {reach, -reach}});
+    for (int reach = 1; reach <= farthest; ++reach)
+      offsets.insert(offsets.end(), {{reach, reach}, {reach, -reach}});
   constexpr int kRows = 32;
   std::vector<std::vector<Pair>> parts(static_cast<size_t>((labels.rows() + kRows - 1) / kRows));
   parallelRows(
@@ -148,7 +153,8 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int3
         std::vector<Pair>& pairs = parts[static_cast<size_t>(begin / kRows)];
         // Along a border the same pair comes again and again: the last one of each offset and of each beam is
         // enough to drop nearly all.
-        std::vector<Pair> last(offsets.size() * static_cast<size_t>(labels.cols()), Pair{kNoRegion, kNoRegion});
+        std::vector<Pair> last(offsets.size() * static_cast<size_t>(labels.cols()),
+                               Pair{kNoRegion, kNoRegion});
         for (int i = begin; i < end; ++i) {
           const std::int32_t* row = labels.row(i).data();
           const std::int32_t *above = labels.row(std::max(0, i - 1)).data(),

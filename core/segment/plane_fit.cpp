@@ -70,14 +70,15 @@ Expected<FittedPlane> fitPaperRegression(const PointMoments& m) {
   plane.offset = -1.0 / n.norm();
   plane.condition = condition;
   plane.rms = unbiasedRms(m, plane);
-  // Noise can bend the regression away from a plane near the origin long before the condition alone tells: it must fit
-  // about as well as the best plane does.
+  // Noise can bend the regression away from a plane near the origin long before the condition alone tells: it
+  // must fit about as well as the best plane does.
   if (const auto best = fitTotalLeastSquares(m); best && plane.rms > kWorstRmsRatio * best->rms + 1e-6) {
     char text[200];
-    std::snprintf(text, sizeof text,
-                  "the paper's regression (Eq. 9) misses the points here, rms %.4f m where the best plane has %.4f m "
-                  "(condition %.1e): the plane passes too near the origin",
-                  plane.rms, best->rms, condition);
+    std::snprintf(
+        text, sizeof text,
+        "the paper's regression (Eq. 9) misses the points here, rms %.4f m where the best plane has %.4f m "
+        "(condition %.1e): the plane passes too near the origin",
+        plane.rms, best->rms, condition);
     return Error{"", "", text, "use total least squares (--plane-fit tls)"};
   }
   return plane;

@@ -164,7 +164,8 @@ private:
     std::vector<std::int32_t> regionOf(graph.size(), kNoRegion);
     for (size_t p = 0; p < graph.size(); ++p) {
       const auto root = static_cast<size_t>(graph.find(static_cast<int>(p)));
-      if (root == p && graph.neurons(static_cast<int>(p)) >= leastSeed && graph.plane(static_cast<int>(p)).valid) {
+      if (root == p && graph.neurons(static_cast<int>(p)) >= leastSeed &&
+          graph.plane(static_cast<int>(p)).valid) {
         regionOf[p] = static_cast<std::int32_t>(regions_.planes.size());
         regions_.planes.push_back(graph.plane(static_cast<int>(p)));
       } else if (root != p) {

@@ -34,8 +34,12 @@ struct Neurons {
   bool hasReturn(GridIndex i) const { return points.range(i) == points.range(i); }
   bool hasNormal(GridIndex i) const { return normals.normals(i).x() == normals.normals(i).x(); }
   Eigen::Vector3d q(GridIndex i) const { return points.points(i).cast<double>() - points.sensor; }
-  double variance(GridIndex i, double cosine) const { return points.noise.varianceAt(points.range(i), cosine); }
-  double cosine(GridIndex i) const { return hasNormal(i) ? double(normals.distance(i)) / points.range(i) : 0.5; }
+  double variance(GridIndex i, double cosine) const {
+    return points.noise.varianceAt(points.range(i), cosine);
+  }
+  double cosine(GridIndex i) const {
+    return hasNormal(i) ? double(normals.distance(i)) / points.range(i) : 0.5;
+  }
   /// The neuron's own point, and four on its local plane around it: foot ± u, foot ± v with u, v a lever long
   /// and u ⊥ v ⊥ n, so that uuᵀ + vvᵀ = lever²·(1 − nnᵀ) and no direction in the plane need be chosen.
   void addTo(PatchSums& sums, GridIndex i) const {
@@ -43,7 +47,8 @@ struct Neurons {
     const double r = points.range(i), c = std::max(0.05, cosine(i)), noise = variance(i, c);
     const double w = r * r / noise, spread = 0.5 * w * kLever * kLever;
     sums.measured.add(at, w);
-    const double uneven = kUnevenShare * params.planeDistance / c;  // what unevenness may cost, in units of the noise
+    const double uneven =
+        kUnevenShare * params.planeDistance / c;  // what unevenness may cost, in units of the noise
     sums.slack += uneven * uneven / noise;
     sums.normal += n;
     const Eigen::Vector3d foot = at - (n.dot(at) + normals.distance(i)) * n;

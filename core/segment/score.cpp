@@ -45,7 +45,8 @@ Overlaps overlapsOf(const ScoreInput& input, size_t minTruthPixels) {
 }
 
 /// Found regions that would be correct if true regions below the smallest size counted.
-std::set<Label> matchesOfSmall(const ScoreInput& input, const Overlaps& counted, const ScoreOptions& options) {
+std::set<Label> matchesOfSmall(const ScoreInput& input, const Overlaps& counted,
+                               const ScoreOptions& options) {
   const Overlaps all = overlapsOf(input, 1);
   std::set<Label> matches;
   for (const auto& [truth, shared] : all.byTruth) {

@@ -89,8 +89,10 @@ std::vector<std::int32_t> joinUneven(const Neurons& neurons, const Patches& patc
   };
   std::map<std::int32_t, RangePlane> common;
   for (const auto& [bent, first, second] : pairs) {
-    const std::int32_t a = std::min(standsFor[static_cast<size_t>(first)], standsFor[static_cast<size_t>(second)]),
-                       b = std::max(standsFor[static_cast<size_t>(first)], standsFor[static_cast<size_t>(second)]);
+    const std::int32_t a = std::min(standsFor[static_cast<size_t>(first)],
+                                    standsFor[static_cast<size_t>(second)]),
+                       b = std::max(standsFor[static_cast<size_t>(first)],
+                                    standsFor[static_cast<size_t>(second)]);
     if (a == b) continue;
     RangePlaneSums joint = sums[static_cast<size_t>(a)];
     joint += sums[static_cast<size_t>(b)];
@@ -99,7 +101,8 @@ std::vector<std::int32_t> joinUneven(const Neurons& neurons, const Patches& patc
     auto& ofA = members[static_cast<size_t>(a)];
     auto& ofB = members[static_cast<size_t>(b)];
     auto allSuit = [&](const std::vector<std::int32_t>& pieces) {
-      return std::all_of(pieces.begin(), pieces.end(), [&](std::int32_t piece) { return suits(piece, plane); });
+      return std::all_of(pieces.begin(), pieces.end(),
+                         [&](std::int32_t piece) { return suits(piece, plane); });
     };
     if (!allSuit(ofA) || !allSuit(ofB)) continue;
     sums[static_cast<size_t>(a)] = joint;

@@ -41,8 +41,8 @@ Grid<std::uint32_t> splitIntoVisiblePieces(const Grid<std::uint32_t>& truthLabel
   return pieces;
 }
 
-Grid<std::uint32_t> piecesAsFound(const Grid<std::uint32_t>& truthLabels, std::span<const std::uint32_t> found,
-                                  double overlap) {
+Grid<std::uint32_t> piecesAsFound(const Grid<std::uint32_t>& truthLabels,
+                                  std::span<const std::uint32_t> found, double overlap) {
   require(found.size() == truthLabels.size(), "piecesAsFound: different numbers of pixels");
   Grid<std::uint32_t> pieces = splitIntoVisiblePieces(truthLabels);
   std::map<std::uint32_t, std::uint32_t> planeOf, standsFor;

@@ -16,10 +16,11 @@ namespace stratascope {
 /// gap >= 0, else std::logic_error.
 Grid<std::uint32_t> splitIntoVisiblePieces(const Grid<std::uint32_t>& truthLabels, int gap = 2);
 
-/// The same pieces as a truth to score `found` labels (0 = none; lattice order) against. Whether the pieces of
-/// one plane, seen apart, should be found apart or as one has no right answer (a wall between two shelf boards),
-/// so both count: pieces of one true plane of which one found region holds at least `overlap` each are one.
-Grid<std::uint32_t> piecesAsFound(const Grid<std::uint32_t>& truthLabels, std::span<const std::uint32_t> found,
-                                  double overlap);
+/// The same pieces as a truth to score `found` labels (0 = none; lattice order) against. Whether the pieces
+/// of one plane, seen apart, should be found apart or as one has no right answer (a wall between two shelf
+/// boards), so both count: pieces of one true plane of which one found region holds at least `overlap` each
+/// are one.
+Grid<std::uint32_t> piecesAsFound(const Grid<std::uint32_t>& truthLabels,
+                                  std::span<const std::uint32_t> found, double overlap);
 
 }  // namespace stratascope

@@ -13,8 +13,8 @@ namespace stratascope {
 enum class RoomKind : unsigned char { Furnished, Plain };
 
 /// A room, different for every seed and the same for equal seeds: walls turned against the robot, tables,
-/// cabinets, shelves, perhaps a pillar, a beam under the ceiling, a crate, pipes. Ten to twenty or so flat faces
-/// show 100 neurons or more. The scanner is at x = y = 0, 0.8 to 1.2 m above the floor z = 0; full
+/// cabinets, shelves, perhaps a pillar, a beam under the ceiling, a crate, pipes. Ten to twenty or so flat
+/// faces show 100 neurons or more. The scanner is at x = y = 0, 0.8 to 1.2 m above the floor z = 0; full
 /// size, 515 lines of 361 beams, unless changed afterwards. Metres, map frame. Whatever segmentation is tuned
 /// on some seeds can be checked on others.
 Scene randomRoom(std::uint64_t seed, RoomKind kind = RoomKind::Furnished);

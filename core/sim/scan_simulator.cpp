@@ -107,7 +107,8 @@ std::optional<double> measuredRange(const Beam& beam, const Scene& scene, const 
   }
   const Scene::Item& item = scene.items[static_cast<size_t>(hit.item)];
   if (noise.uniform(line, column, kDropOut) < item.dropOut) return std::nullopt;
-  range += options.systematic * systematicPart(noise, hit, range) + options.sigma * noise.gaussian(line, column, kRange) +
+  range += options.systematic * systematicPart(noise, hit, range) +
+           options.sigma * noise.gaussian(line, column, kRange) +
            item.roughness * noise.gaussian(line, column, kRoughness);
   const double perMetre = scene.scanner.maxRange <= kLargestMillimetreRange ? 1000 : 100;
   range = std::round(range * perMetre) / perMetre;

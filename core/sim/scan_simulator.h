@@ -16,7 +16,7 @@ enum class NoiseModel { None, Lms200 };
 struct SimulationOptions {
   std::uint64_t seed = 1;
   NoiseModel noise = NoiseModel::Lms200;
-  double sigma = 0.005;  ///< standard deviation of the range noise, metres
+  double sigma = 0.005;   ///< standard deviation of the range noise, metres
   double systematic = 1;  ///< scales the systematic part; 0 = random noise only
 };
 

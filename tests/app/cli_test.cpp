@@ -124,9 +124,9 @@ protected:
 }  // namespace
 
 TEST_F(Cli, HelpAndVersionAreResults) {
-  for (const std::string arguments : {"--help", "--version", "info --help", "process --help",
-                                      "convert --help", "simulate --help", "score --help", "bench --help",
-                                      "merge --help"}) {
+  for (const std::string arguments :
+       {"--help", "--version", "info --help", "process --help", "convert --help", "simulate --help",
+        "score --help", "bench --help", "merge --help"}) {
     const Result r = run(arguments);
     EXPECT_EQ(r.status, 0) << arguments;
     EXPECT_NE(r.out, "") << arguments;
@@ -257,7 +257,8 @@ TEST_F(Cli, ExportWritesBesideTheContract) {
   ASSERT_EQ(run("process room.pcd --out o").status, 0);
   const auto contract = listing(work_ / "o");
   const Result r =
-      run("process room.pcd --out o --export dxf,pgm,ply,mesh,geojson,csv,map --robot-radius 0.1 --robot-start 1,0");
+      run("process room.pcd --out o --export dxf,pgm,ply,mesh,geojson,csv,map --robot-radius 0.1 "
+          "--robot-start 1,0");
   ASSERT_EQ(r.status, 0) << r.err;
   EXPECT_EQ(r.err, "");
   EXPECT_EQ(listing(work_ / "o").size(), contract.size() + 11);
@@ -322,7 +323,8 @@ TEST_F(Cli, ASessionIsWhatItsParametersAre) {
             {"path": "room.pcd", "pose": [-10, 0.5, 0.1, 0, 1, 90]}, {"path": "scans/b.pcd", "pose": [1, 2, 0, 0, 0, 30]}],
             "parameters": {"epsilon": 0.2, "cell": 0.1}, "window": {"camera": [1, 2, 3]}})");
   ASSERT_EQ(run("process --session s.stratascope --out a").status, 0);
-  ASSERT_EQ(run("process room.pcd scans/b.pcd --pose -10,0.5,0.1,0,1,90 --pose 1,2,0,0,0,30 --epsilon 0.2 --cell 0.1 "
+  ASSERT_EQ(run("process room.pcd scans/b.pcd --pose -10,0.5,0.1,0,1,90 --pose 1,2,0,0,0,30 --epsilon 0.2 "
+                "--cell 0.1 "
                 "--out b --threads 1")
                 .status,
             0);
@@ -343,7 +345,8 @@ TEST_F(Cli, ASessionIsWhatItsParametersAre) {
   expectRefused("process --session s.stratascope --params p.json --out d", 2, {"--params"});
   expectRefused("process --session absent.stratascope --out d", 1, {"absent.stratascope"});
   write("changed.stratascope", R"({"program": "stratascope", "version": "0.1.0", "session": 1, "inputs": [
-      {"path": "room.pcd", "sha256": ")" + std::string(64, '0') + R"("}], "parameters": {}})");
+      {"path": "room.pcd", "sha256": ")" +
+                                   std::string(64, '0') + R"("}], "parameters": {}})");
   expectRefused("process --session changed.stratascope --out d", 1, {"room.pcd", "has changed"});
 }
 
@@ -563,14 +566,16 @@ TEST_F(Cli, UnitsAndAxesAreTakenAsAskedForAndNamed) {
   EXPECT_EQ(first.at("local_origin"), json::array({0.0, 0.0, 0.0}));
   const json feet = json::parse(run("info room.pcd --json --units ft --axes z-down").out);
   EXPECT_EQ(feet.at("unit"), "ft");
-  EXPECT_NEAR(feet.at("bounds").at("max")[2].get<double>(), -0.3048 * first.at("bounds").at("min")[2].get<double>(), 1e-6);
+  EXPECT_NEAR(feet.at("bounds").at("max")[2].get<double>(),
+              -0.3048 * first.at("bounds").at("min")[2].get<double>(), 1e-6);
   EXPECT_NEAR(feet.at("sensor_pose").at("position")[2].get<double>(), -0.3048, 1e-9);
   ASSERT_EQ(run("process room.pcd --out out --units cm").status, 0);
   const json input = runDocument("out").at("inputs")[0];
   EXPECT_EQ(input.at("unit"), "cm");
   EXPECT_EQ(input.at("axes"), "z-up");
   ASSERT_EQ(run("convert room.pcd small.pcd --units cm").status, 0);
-  EXPECT_NEAR(json::parse(run("info small.pcd --json").out).at("bounds").at("max")[1].get<double>(), 0.03, 1e-6);
+  EXPECT_NEAR(json::parse(run("info small.pcd --json").out).at("bounds").at("max")[1].get<double>(), 0.03,
+              1e-6);
   expectRefused("info room.pcd --units inch", 2, {"--units"});
   expectRefused("process room.pcd --out o --axes up", 2, {"--axes"});
 }
@@ -580,7 +585,8 @@ TEST_F(Cli, EveryScanOfAFileIsRead) {
   for (const char* place : {"500000 4000000 100 1", "500001 4000000 100 1"}) {
     ptx += std::string("40\n30\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n") + place + "\n";
     for (int column = 0; column < 40; ++column)
-      for (int row = 0; row < 30; ++row) ptx += "2 " + std::to_string(2.0 - column * 0.1) + " " + std::to_string(row * 0.1 - 1.5) + " 0.5\n";
+      for (int row = 0; row < 30; ++row)
+        ptx += "2 " + std::to_string(2.0 - column * 0.1) + " " + std::to_string(row * 0.1 - 1.5) + " 0.5\n";
   }
   write("two.ptx", ptx);
   const json info = json::parse(run("info two.ptx --json").out);

@@ -26,11 +26,16 @@ bool hasNote(const Scan& scan, const std::string& part) {
   return false;
 }
 
-std::string row(const Eigen::Vector3d& p) { return shortestText(static_cast<float>(p.x())) + " " + shortestText(static_cast<float>(p.y())) + " " + shortestText(static_cast<float>(p.z())) + "\n"; }
+std::string row(const Eigen::Vector3d& p) {
+  return shortestText(static_cast<float>(p.x())) + " " + shortestText(static_cast<float>(p.y())) + " " +
+         shortestText(static_cast<float>(p.z())) + "\n";
+}
 
-/// Where a ray from 1 m over the floor meets a room of 6 m × 4 m × 3 m; the walls, floor and ceiling all round.
+/// Where a ray from 1 m over the floor meets a room of 6 m × 4 m × 3 m; the walls, floor and ceiling all
+/// round.
 Eigen::Vector3d roomPoint(double azimuth, double elevation) {
-  const Eigen::Vector3d d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+  const Eigen::Vector3d d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                          std::sin(elevation));
   const Eigen::Vector3d high(3, 2, 2), low(-3, -2, -1);
   double range = 1e9;
   for (int axis = 0; axis < 3; ++axis)
@@ -74,7 +79,9 @@ TEST(FileFrame, WhatOnlyLooksLargeStaysInMetres) {
   EXPECT_EQ(readOne("a.xyz", site).fileUnit, "m");
   // an open pit seen from its middle: neither cm nor mm of a room
   std::string pit;
-  for (int i = 0; i < 2000; ++i) pit += row(Eigen::AngleAxisd(i * 0.1, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(100 + i, 0, i % 300 - 100));
+  for (int i = 0; i < 2000; ++i)
+    pit += row(Eigen::AngleAxisd(i * 0.1, Eigen::Vector3d::UnitZ()) *
+               Eigen::Vector3d(100 + i, 0, i % 300 - 100));
   const Scan scan = readOne("a.xyz", pit);
   EXPECT_EQ(scan.fileUnit, "m");
   EXPECT_TRUE(hasNote(scan, "Far for metres"));
@@ -106,23 +113,33 @@ TEST(FileFrame, AxesAskedForAreTurned) {
     EXPECT_NEAR(std::abs(oursFromFileAxes(*axes).determinant()), 1, 0);
     EXPECT_EQ(oursFromFileAxes(*axes).determinant() < 0, *axes == FileAxes::YUpForward);
   }
-  for (const std::string& name : lengthUnitNames()) EXPECT_EQ(lengthUnitName(*lengthUnitFromText(name)), name);
+  for (const std::string& name : lengthUnitNames())
+    EXPECT_EQ(lengthUnitName(*lengthUnitFromText(name)), name);
   EXPECT_FALSE(lengthUnitFromText("miles"));
   EXPECT_FALSE(fileAxesFromText("x-up"));
 }
 
 TEST(FileFrame, PosesTurnWithTheirPoints) {
-  const std::string pcd = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nVIEWPOINT 10 20 30 0.9 0.1 0.2 0.3\nDATA ascii\n1 2 3\n40 50 60\n";
+  const std::string pcd =
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nVIEWPOINT 10 20 30 0.9 0.1 0.2 "
+      "0.3\nDATA ascii\n1 2 3\n40 50 60\n";
   const Scan plain = readOne("a.pcd", pcd);
   ReadOptions options;
   options.frame = {LengthUnit::Centimetre, FileAxes::YDown};
   const Scan turned = readOne("a.pcd", pcd, options);
-  const auto ours = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0.01 * (oursFromFileAxes(FileAxes::YDown) * p)); };
-  EXPECT_LT((turned.pose.map_T_sensor().translation() - ours(plain.pose.map_T_sensor().translation())).norm(), 1e-12);
-  EXPECT_LT((turned.pose.map_T_sensor() * ours({1, 2, 3}) - ours(plain.pose.map_T_sensor() * Eigen::Vector3d(1, 2, 3))).norm(), 1e-12);
+  const auto ours = [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(0.01 * (oursFromFileAxes(FileAxes::YDown) * p));
+  };
+  EXPECT_LT((turned.pose.map_T_sensor().translation() - ours(plain.pose.map_T_sensor().translation())).norm(),
+            1e-12);
+  EXPECT_LT((turned.pose.map_T_sensor() * ours({1, 2, 3}) -
+             ours(plain.pose.map_T_sensor() * Eigen::Vector3d(1, 2, 3)))
+                .norm(),
+            1e-12);
 }
 
-/// An organised cloud of a pinhole camera 1 m over the floor, its axes' points in the file turned by `file_R_camera`.
+/// An organised cloud of a pinhole camera 1 m over the floor, its axes' points in the file turned by
+/// `file_R_camera`.
 std::string cameraPcd(const Eigen::Matrix3d& file_R_camera, double perMetre = 1, double tilt = 0) {
   constexpr int kWidth = 64, kHeight = 48;
   std::string text = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 64\nHEIGHT 48\nDATA ascii\n";
@@ -190,25 +207,33 @@ TEST(LatticeRecovery, UprightSweepsWithGapsAndRepeatedLines) {
           const Eigen::Vector3f p = scan.lattice->points()({line, beam});
           ASSERT_EQ(p.allFinite(), !gap) << line << " " << beam;
           if (gap) continue;
-          EXPECT_LT((p.cast<double>() - roomPoint(degToRad(200.0 * line / 40 - 100), degToRad(80 - 1.5 * beam))).norm(), 1e-5);
+          EXPECT_LT(
+              (p.cast<double>() - roomPoint(degToRad(200.0 * line / 40 - 100), degToRad(80 - 1.5 * beam)))
+                  .norm(),
+              1e-5);
         }
       EXPECT_EQ(scan.lattice->missingCount(), missing);
     }
 }
 
 TEST(LatticeRecovery, WithDoubtThereIsNone) {
-  EXPECT_TRUE(readOne("a.xyz", spherical(40, 90, false, false, degToRad(0.1))).unordered());  // azimuths that wander
-  EXPECT_TRUE(readOne("a.xyz", spherical(8, 90, false, false)).unordered());                   // few sweeps
+  EXPECT_TRUE(
+      readOne("a.xyz", spherical(40, 90, false, false, degToRad(0.1))).unordered());  // azimuths that wander
+  EXPECT_TRUE(readOne("a.xyz", spherical(8, 90, false, false)).unordered());          // few sweeps
   EXPECT_TRUE(readOne("a.xyz", roomText(1)).unordered());
 }
 
-/// A spinning scanner of 16 rings that fire in turns: 0, 8, 1, 9 … Every fifth return is missing, written 0 0 0.
+/// A spinning scanner of 16 rings that fire in turns: 0, 8, 1, 9 … Every fifth return is missing, written 0 0
+/// 0.
 std::string spinning(int turns, double wobble = 0) {
   std::string text;
   for (int turn = 0; turn < turns; ++turn)
     for (int k = 0; k < 16; ++k) {
       const int ring = k / 2 + 8 * (k % 2);
-      text += (turn * 16 + k) % 5 == 0 ? "0 0 0\n" : row(roomPoint(-2 * kPi * turn / turns, degToRad(-15 + 2 * ring + wobble * std::sin(turn))));
+      text +=
+          (turn * 16 + k) % 5 == 0
+              ? "0 0 0\n"
+              : row(roomPoint(-2 * kPi * turn / turns, degToRad(-15 + 2 * ring + wobble * std::sin(turn))));
     }
   return text;
 }

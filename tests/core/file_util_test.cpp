@@ -39,8 +39,9 @@ TEST(FileUtil, ReadsOnlyRegularFiles) {
   const TemporaryFolder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   fs::create_symlink(folder / "pipe", folder / "link");
-  for (const std::string& path : {folder / "pipe", folder / "link", folder.path().string(), std::string("/dev/null"), std::string("/dev/zero"),
-                                  folder / "absent", std::string(), std::string("a\0b", 3)}) {
+  for (const std::string& path :
+       {folder / "pipe", folder / "link", folder.path().string(), std::string("/dev/null"),
+        std::string("/dev/zero"), folder / "absent", std::string(), std::string("a\0b", 3)}) {
     const auto read = readFile(path);
     ASSERT_FALSE(read) << path;
     EXPECT_FALSE(read.error().what.empty());
@@ -53,7 +54,8 @@ TEST(FileUtil, RefusesWhatIsLargerThanAllowed) {
   putFile(folder / "file", "12345");
   EXPECT_TRUE(readFile(folder / "file", 5));
   EXPECT_FALSE(readFile(folder / "file", 4));
-  ASSERT_EQ(::truncate((folder / "file").c_str(), off_t{1} << 40), 0);  // a sparse file says it has a terabyte
+  ASSERT_EQ(::truncate((folder / "file").c_str(), off_t{1} << 40),
+            0);  // a sparse file says it has a terabyte
   EXPECT_FALSE(readFile(folder / "file"));
 }
 
@@ -75,7 +77,8 @@ TEST(FileUtil, ReplacesThroughALinkAndKeepsTheMode) {
   ASSERT_TRUE(writeFileAtomically(folder / "link", "new"));
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
   EXPECT_EQ(*readFile(folder / "target"), "new");
-  EXPECT_EQ(fs::status(folder / "target").permissions(), fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  EXPECT_EQ(fs::status(folder / "target").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
 }
 
 TEST(FileUtil, ReaderSeesTheOldOrTheNewFileNeverAPart) {

@@ -41,7 +41,8 @@ Scan readGood(const std::string& bytes, const ReadOptions& options = {}) {
 }
 
 bool sameBits(std::span<const Eigen::Vector3f> a, std::span<const Eigen::Vector3f> b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const Eigen::Vector3f& p, const Eigen::Vector3f& q) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](const Eigen::Vector3f& p, const Eigen::Vector3f& q) {
            return p.allFinite() ? std::memcmp(p.data(), q.data(), sizeof p) == 0 : q.array().isNaN().all();
          });
 }
@@ -59,18 +60,26 @@ TEST(PcdReader, AllEncodingsGiveTheSameLattice) {
 
 TEST(PcdReader, SkipsOtherFieldsOfAnySizeAndConvertsDoubles) {
   std::string text =
-      "VERSION .7\nFIELDS label x histogram z y _\nSIZE 2 8 4 8 8 1\nTYPE U F F F F U\nCOUNT 1 1 3 1 1 5\nWIDTH 2\nHEIGHT 2\nDATA ";
+      "VERSION .7\nFIELDS label x histogram z y _\nSIZE 2 8 4 8 8 1\nTYPE U F F F F U\nCOUNT 1 1 3 1 1 "
+      "5\nWIDTH 2\nHEIGHT 2\nDATA ";
   std::string binary = replaced(text, "DATA ", "DATA binary\n");
   std::string ascii = replaced(text, "DATA ", "DATA ascii\n");
   std::string planes[6];
   for (int i = 0; i < 4; ++i) {
     const double x = 1.1 + i, y = -2.2 * i, z = 1e-3;
-    const std::string parts[] = {bytesOf(std::uint16_t(i)), bytesOf(x), bytesOf(1.0F) + bytesOf(2.0F) + bytesOf(3.0F), bytesOf(z), bytesOf(y), "12345"};
+    const std::string parts[] = {bytesOf(std::uint16_t(i)),
+                                 bytesOf(x),
+                                 bytesOf(1.0F) + bytesOf(2.0F) + bytesOf(3.0F),
+                                 bytesOf(z),
+                                 bytesOf(y),
+                                 "12345"};
     for (int f = 0; f < 6; ++f) binary += parts[f], planes[f] += parts[f];
-    ascii += std::to_string(i) + " " + std::to_string(x) + " 1 2 3 0.001 " + std::to_string(y) + " 1 2 3 4 5\n";
+    ascii +=
+        std::to_string(i) + " " + std::to_string(x) + " 1 2 3 0.001 " + std::to_string(y) + " 1 2 3 4 5\n";
   }
   const std::string unpacked = planes[0] + planes[1] + planes[2] + planes[3] + planes[4] + planes[5];
-  const std::string compressed = replaced(text, "DATA ", "DATA binary_compressed\n") + compressedBody(packLiterally(unpacked), unpacked.size());
+  const std::string compressed = replaced(text, "DATA ", "DATA binary_compressed\n") +
+                                 compressedBody(packLiterally(unpacked), unpacked.size());
   for (const std::string& bytes : {binary, ascii, compressed}) {
     const Scan scan = readGood(bytes);
     for (int i = 0; i < 4; ++i) {
@@ -83,7 +92,8 @@ TEST(PcdReader, SkipsOtherFieldsOfAnySizeAndConvertsDoubles) {
 }
 
 TEST(PcdReader, OlderHeadersAndWindowsLineEnds) {
-  const std::string old = "VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 2\nDATA ascii\n1 2 3\n4 5 6\n";
+  const std::string old =
+      "VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 2\nDATA ascii\n1 2 3\n4 5 6\n";
   EXPECT_EQ(readGood(old).cloud.size(), 2u);
   std::string windows;
   for (const char c : asciiFile()) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -101,7 +111,8 @@ TEST(PcdReader, NanInfAndImpossibleZerosAreMissing) {
 }
 
 TEST(PcdReader, ASingleZeroSeenFromElsewhereIsAReturn) {
-  const std::string text = replaced(replaced(asciiFile(), "1.5 2.25 -0.5", "0 0 0"), "VIEWPOINT 0 0 0", "VIEWPOINT 0 0 1.2");
+  const std::string text =
+      replaced(replaced(asciiFile(), "1.5 2.25 -0.5", "0 0 0"), "VIEWPOINT 0 0 0", "VIEWPOINT 0 0 1.2");
   EXPECT_EQ(readGood(text).lattice->missingCount(), 0u);
   EXPECT_EQ(readGood(replaced(text, "1.5 1 -0.5", "0 0 0")).lattice->missingCount(), 2u);
 }
@@ -111,10 +122,12 @@ TEST(PcdReader, ViewpointIsTheSensorInTheFilesFrame) {
   EXPECT_TRUE(scan.pose.map_T_scan.isApprox(Eigen::Isometry3d::Identity()));
   EXPECT_TRUE(scan.pose.scan_T_sensor.translation().isApprox(Eigen::Vector3d(1, 2, 3)));
   // 90° about z, though the quaternion is not of unit length
-  EXPECT_TRUE((scan.pose.scan_T_sensor.linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+  EXPECT_TRUE((scan.pose.scan_T_sensor.linear() * Eigen::Vector3d::UnitX())
+                  .isApprox(Eigen::Vector3d::UnitY(), 1e-12));
   ReadOptions options;
   options.pose = Eigen::Isometry3d(Eigen::Translation3d(5, 0, 0));
-  const Scan moved = readGood(replaced(asciiFile(), "VIEWPOINT 0 0 0 1 0 0 0", "VIEWPOINT 1 2 3 2 0 0 2"), options);
+  const Scan moved =
+      readGood(replaced(asciiFile(), "VIEWPOINT 0 0 0 1 0 0 0", "VIEWPOINT 1 2 3 2 0 0 2"), options);
   EXPECT_TRUE(moved.pose.map_T_sensor().isApprox(*options.pose));
   EXPECT_EQ(moved.notes.size(), 1u);
 }
@@ -157,7 +170,8 @@ TEST(PcdReader, EveryPrefixIsAnError) {
   for (const std::string& file : {asciiFile(), binaryFile(), compressedFile()})
     test::forEveryPrefix(file, [&](size_t n, const std::string& prefix) {
       const auto scan = readBytes(prefix);
-      // "0.75" of the last row cut to "0.7", "0.", "0", or its line end alone: all rows are there, and a note warns.
+      // "0.75" of the last row cut to "0.7", "0.", "0", or its line end alone: all rows are there, and a note
+      // warns.
       if (file == asciiFile() && n >= file.size() - 4) {
         ASSERT_TRUE(scan) << n;
         EXPECT_NE(scan->notes.at(0).find("cut off"), std::string::npos);
@@ -174,23 +188,29 @@ TEST(PcdRoundTrip, ThousandRandomScansBitForBit) {
     Scan scan;
     std::vector<Eigen::Vector3f> points(1 + random() % 40);
     for (Eigen::Vector3f& p : points)
-      p = random() % 5 == 0 ? Eigen::Vector3f::Constant(kNaNf) : Eigen::Vector3f(coordinate(random), coordinate(random), coordinate(random) * 1e-30F);
+      p = random() % 5 == 0
+              ? Eigen::Vector3f::Constant(kNaNf)
+              : Eigen::Vector3f(coordinate(random), coordinate(random), coordinate(random) * 1e-30F);
     points.front() = {1, -0.0F, std::numeric_limits<float>::denorm_min()};
     Eigen::Isometry3d& pose = scan.pose.scan_T_sensor;
     pose.translation() = Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random));
-    pose.linear() = Eigen::Quaterniond(coordinate(random), coordinate(random), 1.0, coordinate(random)).normalized().toRotationMatrix();
+    pose.linear() = Eigen::Quaterniond(coordinate(random), coordinate(random), 1.0, coordinate(random))
+                        .normalized()
+                        .toRotationMatrix();
     const bool lattice = round % 2 == 0 && points.size() >= 4;
     scan.latticeOrigin = lattice ? LatticeOrigin::Native : LatticeOrigin::Projected;
     const int beams = lattice ? static_cast<int>(points.size() / 2) : static_cast<int>(points.size());
     points.resize(static_cast<size_t>(lattice ? 2 * beams : beams));
     ScanBuilder builder(beams);
-    for (size_t at = 0; at < points.size(); at += static_cast<size_t>(beams)) builder.appendLine(std::span(points).subspan(at, static_cast<size_t>(beams)));
+    for (size_t at = 0; at < points.size(); at += static_cast<size_t>(beams))
+      builder.appendLine(std::span(points).subspan(at, static_cast<size_t>(beams)));
     scan.lattice = builder.freeze();
     if (!lattice) scan.cloud = points;
     const auto back = readBytes(*scanBytes(scan, "scan.pcd"));
     ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(back->unordered(), !lattice);
-    const std::span<const Eigen::Vector3f> got = lattice ? back->lattice->points().values() : std::span<const Eigen::Vector3f>(back->cloud);
+    const std::span<const Eigen::Vector3f> got =
+        lattice ? back->lattice->points().values() : std::span<const Eigen::Vector3f>(back->cloud);
     EXPECT_TRUE(sameBits(points, got)) << round;
     EXPECT_TRUE(back->pose.scan_T_sensor.translation() == pose.translation());
     EXPECT_LT((back->pose.scan_T_sensor.linear() - pose.linear()).cwiseAbs().maxCoeff(), 1e-14);

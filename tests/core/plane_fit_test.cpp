@@ -153,7 +153,8 @@ TEST(PaperRegression, RefusesANoisyFloorRatherThanReturnNonsense) {
     EXPECT_NE(fit.error().message().find("condition"), std::string::npos);
   }
   // A table half a metre from the origin is far enough.
-  const auto table = fitPaperRegression(momentsOf(patch(Vector3d::UnitZ(), 0.5, {4, 0, 0.5}, 2000, 0.005, 7)));
+  const auto table =
+      fitPaperRegression(momentsOf(patch(Vector3d::UnitZ(), 0.5, {4, 0, 0.5}, 2000, 0.005, 7)));
   ASSERT_TRUE(table) << table.error().message();
   EXPECT_GT(std::abs(table->normal.z()), std::cos(degToRad(0.5)));
 }

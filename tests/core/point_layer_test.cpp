@@ -157,7 +157,8 @@ TEST(WindowSums, OverAnyWindowAreTheSumsOfItsNeurons) {
       ASSERT_TRUE(near(got.x, direct.x) && near(got.y, direct.y) && near(got.z, direct.z));
       // A window's first moments from its four corners.
       const WindowSums::Means a = sums.before(w.top, w.left), b = sums.before(w.top, w.right + 1),
-                              c = sums.before(w.bottom + 1, w.left), d = sums.before(w.bottom + 1, w.right + 1);
+                              c = sums.before(w.bottom + 1, w.left),
+                              d = sums.before(w.bottom + 1, w.right + 1);
       ASSERT_EQ((d.n - b.n) - (c.n - a.n), direct.n);
       const Vector3d sum = (d.sum - b.sum) - (c.sum - a.sum);
       ASSERT_LT((sum - Vector3d(direct.x, direct.y, direct.z)).norm(), 1e-8 * (1 + direct.n));

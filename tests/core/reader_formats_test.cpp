@@ -14,11 +14,14 @@ namespace {
 
 using test::FormatUnderAttack;
 
-Expected<std::vector<Scan>> readAll(const FormatUnderAttack& format, const std::string& bytes) { return readAllScanBytes("/nowhere/small" + format.extension, bytes); }
+Expected<std::vector<Scan>> readAll(const FormatUnderAttack& format, const std::string& bytes) {
+  return readAllScanBytes("/nowhere/small" + format.extension, bytes);
+}
 
 bool warnsOfCut(const std::vector<Scan>& scans) {
   return std::any_of(scans.begin(), scans.end(), [](const Scan& scan) {
-    return std::any_of(scan.notes.begin(), scan.notes.end(), [](const std::string& note) { return note.find("cut off") != std::string::npos; });
+    return std::any_of(scan.notes.begin(), scan.notes.end(),
+                       [](const std::string& note) { return note.find("cut off") != std::string::npos; });
   });
 }
 
@@ -48,7 +51,8 @@ TEST(ReaderFormats, ContentWinsOverTheExtension) {
   }
 }
 
-// A last number may be cut short without a trace; then a note warns. Formats without a count hold just their whole rows.
+// A last number may be cut short without a trace; then a note warns. Formats without a count hold just their
+// whole rows.
 TEST(ReaderFormats, EveryPrefixIsAnError) {
   for (const FormatUnderAttack& format : test::formatsUnderAttack()) {
     if (!format.counted) continue;
@@ -59,7 +63,9 @@ TEST(ReaderFormats, EveryPrefixIsAnError) {
         // PTX and PTS may end after each of their blocks
         const auto whole = readAll(format, file);
         if ((format.extension == ".ptx" || format.extension == ".pts") && n < file.size() - 8) {
-          EXPECT_TRUE(scans->size() < whole->size() || scans->front().cloud.size() < whole->front().cloud.size()) << format.name << " cut after " << n;
+          EXPECT_TRUE(scans->size() < whole->size() ||
+                      scans->front().cloud.size() < whole->front().cloud.size())
+              << format.name << " cut after " << n;
           return;
         }
         EXPECT_TRUE(warnsOfCut(*scans)) << format.name << " cut after " << n << " of " << file.size();
@@ -77,12 +83,14 @@ TEST(ReaderFormats, HostileFilesAreRefused) {
 
 TEST(ReaderFormats, DamagedCopiesNeverBreakThem) {
   for (const FormatUnderAttack& format : test::formatsUnderAttack())
-    for (const std::string& file : format.valid) EXPECT_GT(test::readDamagedCopies(format.extension, file, 3000, 11), 300) << format.name;
+    for (const std::string& file : format.valid)
+      EXPECT_GT(test::readDamagedCopies(format.extension, file, 3000, 11), 300) << format.name;
 }
 
 TEST(ReaderFormats, ForeignLocaleDoesNotMatter) {
   const std::string old = std::setlocale(LC_ALL, nullptr);
-  if (!std::setlocale(LC_ALL, "de_DE.UTF-8") && !std::setlocale(LC_ALL, "de_DE.utf8")) GTEST_SKIP() << "skipped: no German locale";
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8") && !std::setlocale(LC_ALL, "de_DE.utf8"))
+    GTEST_SKIP() << "skipped: no German locale";
   std::vector<std::vector<Eigen::Vector3f>> german;
   const auto readThem = [](std::vector<std::vector<Eigen::Vector3f>>& into) {
     for (const FormatUnderAttack& format : test::formatsUnderAttack())

@@ -17,12 +17,15 @@ namespace {
 
 using test::replaced;
 
-std::vector<Scan> readAll(const std::string& name, const std::string& bytes, const ReadOptions& options = {}) {
+std::vector<Scan> readAll(const std::string& name, const std::string& bytes,
+                          const ReadOptions& options = {}) {
   auto scans = readAllScanBytes(name, bytes, options);
   if (!scans) throw std::runtime_error(scans.error().message());
   return std::move(scans).value();
 }
-Scan readOne(const std::string& name, const std::string& bytes, const ReadOptions& options = {}) { return readAll(name, bytes, options).at(0); }
+Scan readOne(const std::string& name, const std::string& bytes, const ReadOptions& options = {}) {
+  return readAll(name, bytes, options).at(0);
+}
 
 bool hasNote(const Scan& scan, const std::string& part) {
   for (const std::string& note : scan.notes)
@@ -31,8 +34,10 @@ bool hasNote(const Scan& scan, const std::string& part) {
 }
 
 TEST(PlyReader, EveryEncodingGivesTheSameCloud) {
-  const std::vector<Eigen::Vector3f> points = {{1.5F, 2.25F, -0.5F}, {1.5F, 1, -0.5F}, {1.5F, 0, -0.5F}, {1.5F, 2, 0.125F}, {1.5F, 1, 0.25F}, {1.5F, 0, 0.75F}};
-  for (const PlyEncoding encoding : {PlyEncoding::Ascii, PlyEncoding::BinaryLittleEndian, PlyEncoding::BinaryBigEndian})
+  const std::vector<Eigen::Vector3f> points = {{1.5F, 2.25F, -0.5F}, {1.5F, 1, -0.5F}, {1.5F, 0, -0.5F},
+                                               {1.5F, 2, 0.125F},    {1.5F, 1, 0.25F}, {1.5F, 0, 0.75F}};
+  for (const PlyEncoding encoding :
+       {PlyEncoding::Ascii, PlyEncoding::BinaryLittleEndian, PlyEncoding::BinaryBigEndian})
     for (const bool doubles : {false, true}) {
       const Scan scan = readOne("a.ply", test::plyFile(encoding, doubles));
       EXPECT_TRUE(scan.unordered());
@@ -42,7 +47,8 @@ TEST(PlyReader, EveryEncodingGivesTheSameCloud) {
 }
 
 TEST(PlyReader, RangeGridIsTheLattice) {
-  for (const PlyEncoding encoding : {PlyEncoding::Ascii, PlyEncoding::BinaryLittleEndian, PlyEncoding::BinaryBigEndian}) {
+  for (const PlyEncoding encoding :
+       {PlyEncoding::Ascii, PlyEncoding::BinaryLittleEndian, PlyEncoding::BinaryBigEndian}) {
     const Scan scan = readOne("a.ply", test::plyRangeGrid(encoding));
     EXPECT_EQ(scan.latticeOrigin, LatticeOrigin::Native);
     ASSERT_EQ(scan.lattice->lines(), 2);
@@ -55,7 +61,8 @@ TEST(PlyReader, RangeGridIsTheLattice) {
 }
 
 TEST(PlyReader, ColumnsTimesRowsOfVerticesAreALatticeToo) {
-  const std::string ply = replaced(test::plyFile(PlyEncoding::BinaryLittleEndian), "comment small", "obj_info num_cols 3\nobj_info num_rows 2");
+  const std::string ply = replaced(test::plyFile(PlyEncoding::BinaryLittleEndian), "comment small",
+                                   "obj_info num_cols 3\nobj_info num_rows 2");
   EXPECT_EQ(readOne("a.ply", ply).lattice->beams(), 3);
   EXPECT_FALSE(readOne("a.ply", ply).unordered());
   const Scan other = readOne("a.ply", replaced(ply, "num_cols 3", "num_cols 4"));
@@ -66,16 +73,21 @@ TEST(PlyReader, ColumnsTimesRowsOfVerticesAreALatticeToo) {
 // As PCL writes it: faces that are none, and a camera with the cloud's size and the sensor's pose.
 TEST(PlyReader, PclsCameraHasLatticeAndPose) {
   const std::string ply =
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nelement camera 1\n"
-      "property float view_px\nproperty float view_py\nproperty float view_pz\nproperty float x_axisx\nproperty float x_axisy\n"
-      "property float x_axisz\nproperty float y_axisx\nproperty float y_axisy\nproperty float y_axisz\nproperty float z_axisx\n"
-      "property float z_axisy\nproperty float z_axisz\nproperty int viewportx\nproperty int viewporty\nend_header\n"
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 0\nelement camera 1\n"
+      "property float view_px\nproperty float view_py\nproperty float view_pz\nproperty float "
+      "x_axisx\nproperty float x_axisy\n"
+      "property float x_axisz\nproperty float y_axisx\nproperty float y_axisy\nproperty float "
+      "y_axisz\nproperty float z_axisx\n"
+      "property float z_axisy\nproperty float z_axisz\nproperty int viewportx\nproperty int "
+      "viewporty\nend_header\n"
       "1 2 3\n4 5 6\nnan nan nan\n1 1 1\n7 8 9 0 -1 0 1 0 0 0 0 1 2 2\n";
   const Scan scan = readOne("a.ply", ply);
   ASSERT_EQ(scan.lattice->lines(), 2);
   EXPECT_EQ(scan.lattice->missingCount(), 1u);
   EXPECT_EQ(scan.pose.map_T_sensor().translation(), Eigen::Vector3d(7, 8, 9));
-  EXPECT_TRUE((scan.pose.map_T_sensor().linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
+  EXPECT_TRUE(
+      (scan.pose.map_T_sensor().linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
   EXPECT_TRUE(readOne("a.ply", replaced(ply, " 2 2\n", " 2 3\n")).unordered());
   EXPECT_FALSE(readAllScanBytes("a.ply", replaced(ply, "element face 0", "element face 1")));
 }
@@ -103,7 +115,9 @@ TEST(PtxReader, ScansStandWhereTheirMatricesSay) {
 }
 
 TEST(PtxReader, FarPosesShareOneLocalOrigin) {
-  const auto scans = readAll("a.ptx", replaced(replaced(test::ptxFile(), "0 0 0 1\n", "500012.5 4000034.25 7 1\n"), "5 6 7 1\n", "500020 4000040 8 1\n"));
+  const auto scans =
+      readAll("a.ptx", replaced(replaced(test::ptxFile(), "0 0 0 1\n", "500012.5 4000034.25 7 1\n"),
+                                "5 6 7 1\n", "500020 4000040 8 1\n"));
   EXPECT_EQ(scans[0].localOrigin, Eigen::Vector3d(500000, 4000000, 0));
   EXPECT_EQ(scans[1].localOrigin, scans[0].localOrigin);
   EXPECT_TRUE(scans[0].pose.map_T_sensor().translation().isApprox(Eigen::Vector3d(12.5, 34.25, 7)));
@@ -127,7 +141,8 @@ TEST(PolarReader, ReadingsBecomePointsOfTheScannersGeometry) {
   EXPECT_TRUE(scan.lattice->points()({0, 2}).array().isNaN().all());
   EXPECT_TRUE(scan.lattice->points()({2, 1}).array().isNaN().all());
   for (int line = 0; line < 3; ++line) {
-    const Eigen::Vector3d expected = pointFromPolar({2.5, headAngleFromElevation(degToRad(10 - 10 * line)), degToRad(180)});
+    const Eigen::Vector3d expected =
+        pointFromPolar({2.5, headAngleFromElevation(degToRad(10 - 10 * line)), degToRad(180)});
     EXPECT_LT((scan.lattice->points()({line, 3}).cast<double>() - expected).norm(), 1e-6);
   }
   // 10° up, 60° from the left: ahead, to the left and above
@@ -137,11 +152,15 @@ TEST(PolarReader, ReadingsBecomePointsOfTheScannersGeometry) {
     for (const char c : text) other += c == ',' ? separator : std::string(1, c);
     EXPECT_EQ(readOne("a.txt", other).lattice->points()({1, 1}), scan.lattice->points()({1, 1})) << separator;
   }
-  EXPECT_EQ(readOne("a.csv", replaced(text, "# beam_first", "# range_unit cm\n# beam_first")).lattice->points()({1, 0}), Eigen::Vector3f(scan.lattice->points()({1, 0}) / 100));
+  EXPECT_EQ(readOne("a.csv", replaced(text, "# beam_first", "# range_unit cm\n# beam_first"))
+                .lattice->points()({1, 0}),
+            Eigen::Vector3f(scan.lattice->points()({1, 0}) / 100));
 }
 
 TEST(PolarReader, AnglesMayStandInColumns) {
-  const Scan scan = readOne("a.csv", "range,beam,line,head_elevation,beam_angle\n2,1,0,0,90\n2,0,0,0,0\n2,0,1,-30,0\n,1,1,-30,90\n");
+  const Scan scan =
+      readOne("a.csv",
+              "range,beam,line,head_elevation,beam_angle\n2,1,0,0,90\n2,0,0,0,0\n2,0,1,-30,0\n,1,1,-30,90\n");
   EXPECT_LT((scan.lattice->points()({0, 1}) - Eigen::Vector3f(2, 0, 0)).norm(), 1e-6F);
   EXPECT_LT((scan.lattice->points()({0, 0}) - Eigen::Vector3f(0, 2, 0)).norm(), 1e-6F);
   EXPECT_EQ(scan.lattice->missingCount(), 1u);
@@ -163,7 +182,8 @@ TEST(ScanGraphReader, EveryPrefixHasItsWholeRowsOnly) {
     if (!scans) return;
     size_t points = 0, rows = 0;
     for (const Scan& scan : *scans) points += scan.cloud.size();
-    for (size_t at = 0; at < prefix.size(); at = std::min(prefix.find('\n', at), prefix.size() - 1) + 1) rows += prefix[at] != '#' && prefix[at] != 'N';
+    for (size_t at = 0; at < prefix.size(); at = std::min(prefix.find('\n', at), prefix.size() - 1) + 1)
+      rows += prefix[at] != '#' && prefix[at] != 'N';
     EXPECT_EQ(points, rows) << n;
     if (prefix.back() != '\n') {
       EXPECT_TRUE(hasNote(scans->back(), "cut off")) << n;
@@ -174,7 +194,8 @@ TEST(ScanGraphReader, EveryPrefixHasItsWholeRowsOnly) {
 TEST(LasReader, EveryVersionAndPointFormat) {
   for (const int minor : {0, 1, 2, 3, 4})
     for (int format = 0; format <= 10; ++format) {
-      const Scan scan = readOne("a.las", test::lasFile({.minor = minor, .format = format, .extendedRecord = minor == 4}));
+      const Scan scan =
+          readOne("a.las", test::lasFile({.minor = minor, .format = format, .extendedRecord = minor == 4}));
       ASSERT_EQ(scan.cloud.size(), 3u);  // one is withheld
       EXPECT_EQ(scan.cloud[0], Eigen::Vector3f(1, 2, 0));
       EXPECT_EQ(scan.cloud[2], Eigen::Vector3f(1.03F, 0.5F, -0.9F));
@@ -203,7 +224,8 @@ TEST(LasReader, SurveyCoordinatesComeBackFromTheWriters) {
     const Scan back = readOne(name, *bytes);
     EXPECT_EQ(back.localOrigin, scan.localOrigin) << name;
     ASSERT_EQ(back.cloud.size(), scan.cloud.size());
-    for (size_t i = 0; i < scan.cloud.size(); ++i) EXPECT_LT((back.cloud[i] - scan.cloud[i]).norm(), 1e-4F) << name;
+    for (size_t i = 0; i < scan.cloud.size(); ++i)
+      EXPECT_LT((back.cloud[i] - scan.cloud[i]).norm(), 1e-4F) << name;
   }
   // a second scan is counted from the first one's origin if asked to
   ReadOptions options;
@@ -225,7 +247,9 @@ TEST(E57Reader, IndexedRecordsAreTheLattice) {
   EXPECT_TRUE(scan.pose.map_T_sensor().translation().isApprox(Eigen::Vector3d(1, 2, 0)));
 }
 
-TEST(E57Pages, ChecksumIsTheStandardsOwn) { EXPECT_EQ(crc32c("123456789"), 0xE3069283u); }
+TEST(E57Pages, ChecksumIsTheStandardsOwn) {
+  EXPECT_EQ(crc32c("123456789"), 0xE3069283u);
+}
 
 }  // namespace
 }  // namespace stratascope

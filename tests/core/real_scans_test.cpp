@@ -25,7 +25,8 @@ double filledNeighbours(const ScanLattice& lattice) {
   for (int row = 0; row < lattice.lines(); ++row)
     for (int col = 0; col < lattice.beams(); ++col) {
       if (!lattice.points()({row, col}).allFinite()) continue;
-      for (const GridIndex n : {GridIndex{row - 1, col}, GridIndex{row + 1, col}, GridIndex{row, col - 1}, GridIndex{row, col + 1}}) {
+      for (const GridIndex n : {GridIndex{row - 1, col}, GridIndex{row + 1, col}, GridIndex{row, col - 1},
+                                GridIndex{row, col + 1}}) {
         if (!lattice.points().contains(n)) continue;
         ++pairs;
         filled += lattice.points()(n).allFinite();
@@ -53,7 +54,8 @@ void expectUosLaw(const Scan& scan) {
       if (!p.allFinite()) continue;
       const double theta = degToRad(0.5 * (359 - col));
       const double tilt = degToRad(-48.7 + row * 116.3 / 225);
-      const Eigen::Vector3d uos(std::cos(theta), std::sin(theta) * std::sin(tilt), std::sin(theta) * std::cos(tilt));
+      const Eigen::Vector3d uos(std::cos(theta), std::sin(theta) * std::sin(tilt),
+                                std::sin(theta) * std::cos(tilt));
       const Eigen::Vector3d direction(uos.z(), -uos.x(), uos.y());
       worst = std::max(worst, (p - p.norm() * direction).norm() / p.norm());
     }
@@ -140,7 +142,8 @@ TEST(RealScans, SynpebAsciiIsAWindowOfTheCompressedScan) {
       if (!near(large.lattice->points()({row, col}), corner)) continue;
       found = true;
       for (int r = 0; r < 100; ++r)
-        for (int c = 0; c < 100; ++c) found = found && near(large.lattice->points()({row + r, col + c}), small.lattice->points()({r, c}));
+        for (int c = 0; c < 100; ++c)
+          found = found && near(large.lattice->points()({row + r, col + c}), small.lattice->points()({r, c}));
     }
   EXPECT_TRUE(found);
 }
@@ -163,7 +166,8 @@ TEST(RealScans, MergedRoomBecomesADenseProjection) {
   expectGoodProjection(readReal(path), 237907);
 }
 
-// Each line stands twice in a row, and missing returns are dropped; the description says 318 lines of 181 beams.
+// Each line stands twice in a row, and missing returns are dropped; the description says 318 lines of 181
+// beams.
 TEST(RealScans, RoomScanGetsItsLatticeBack) {
   STRATASCOPE_NEED_SCAN(path, "room_scan1.pcd");
   const Scan scan = readReal(path);
@@ -205,7 +209,8 @@ TEST(RealScans, PtxHeadIsFiveColumnsSeenFromItsPlace) {
   EXPECT_EQ(scan.latticeOrigin, LatticeOrigin::Native);
   EXPECT_EQ(scan.lattice->lines(), 5);
   EXPECT_EQ(scan.lattice->beams(), 868);
-  EXPECT_LT((scan.pose.map_T_sensor().translation() - Eigen::Vector3d(5.72957, -0.355996, -0.393482)).norm(), 1e-9);
+  EXPECT_LT((scan.pose.map_T_sensor().translation() - Eigen::Vector3d(5.72957, -0.355996, -0.393482)).norm(),
+            1e-9);
   EXPECT_NEAR(scan.pose.map_T_sensor().linear().determinant(), 1, 1e-12);
 }
 
@@ -237,7 +242,8 @@ TEST(RealScans, LasKeepsItsOriginAndMillimetres) {
   ReadOptions feet;
   feet.frame.unit = LengthUnit::SurveyFoot;
   const Scan metres = readReal(path, feet);
-  EXPECT_NEAR(metres.localOrigin.x() + metres.cloud[0].x(), (scan.localOrigin.x() + scan.cloud[0].x()) * 1200 / 3937, 1e-3);
+  EXPECT_NEAR(metres.localOrigin.x() + metres.cloud[0].x(),
+              (scan.localOrigin.x() + scan.cloud[0].x()) * 1200 / 3937, 1e-3);
   EXPECT_EQ(metres.fileUnit, "us-ft");
 }
 
@@ -247,7 +253,8 @@ TEST(RealScans, OfficeIsTurnedSoThatItsFloorIsBelow) {
   EXPECT_EQ(scan.fileAxes, "y-down");
   EXPECT_EQ(scan.fileUnit, "m");
   size_t floor = 0;
-  for (const Eigen::Vector3f& p : scan.lattice->points().values()) floor += std::abs(p.z() + 1.34F) < 0.08F && p.x() > 1.5F;
+  for (const Eigen::Vector3f& p : scan.lattice->points().values())
+    floor += std::abs(p.z() + 1.34F) < 0.08F && p.x() > 1.5F;
   EXPECT_GT(floor, 4000u);
 }
 

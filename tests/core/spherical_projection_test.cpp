@@ -15,25 +15,30 @@ namespace {
 
 Eigen::Vector3f direction(double azimuthDeg, double elevationDeg, double range) {
   const double a = degToRad(azimuthDeg), e = degToRad(elevationDeg);
-  return Eigen::Vector3d(range * std::cos(e) * std::cos(a), range * std::cos(e) * std::sin(a), range * std::sin(e)).cast<float>();
+  return Eigen::Vector3d(range * std::cos(e) * std::cos(a), range * std::cos(e) * std::sin(a),
+                         range * std::sin(e))
+      .cast<float>();
 }
 
-Scan project(std::vector<Eigen::Vector3f> cloud, const Eigen::Isometry3d& sensor = Eigen::Isometry3d::Identity()) {
+Scan project(std::vector<Eigen::Vector3f> cloud,
+             const Eigen::Isometry3d& sensor = Eigen::Isometry3d::Identity()) {
   Scan scan;
   scan.pose.scan_T_sensor = sensor;
   projectOntoSphere(scan, std::move(cloud));
   return scan;
 }
 
-std::vector<Eigen::Vector3f> randomCloud(size_t count, std::uint32_t seed, double azimuthFrom, double azimuthTo) {
+std::vector<Eigen::Vector3f> randomCloud(size_t count, std::uint32_t seed, double azimuthFrom,
+                                         double azimuthTo) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<Eigen::Vector3f> cloud;
-  for (size_t i = 0; i < count; ++i)
-  {
+  for (size_t i = 0; i < count; ++i) {
     // A surface that bends gently: nothing is seen through it.
-    const double azimuth = azimuthFrom + (azimuthTo - azimuthFrom) * unit(random), elevation = -40 + 80 * unit(random);
-    cloud.push_back(direction(azimuth, elevation, 3.5 + 2 * std::sin(degToRad(2 * azimuth)) + 0.2 * unit(random)));
+    const double azimuth = azimuthFrom + (azimuthTo - azimuthFrom) * unit(random),
+                 elevation = -40 + 80 * unit(random);
+    cloud.push_back(
+        direction(azimuth, elevation, 3.5 + 2 * std::sin(degToRad(2 * azimuth)) + 0.2 * unit(random)));
   }
   return cloud;
 }
@@ -112,17 +117,22 @@ TEST(SphericalProjection, RandomCloudsAreConsistentOrderedAndDense) {
     const Scan full = project(randomCloud(20000, seed, -180, 180));
     expectConsistent(full);
     expectOrdered(full, 180);
-    EXPECT_LT(static_cast<double>(full.lattice->missingCount()) / static_cast<double>(full.lattice->points().size()), 0.35);
+    EXPECT_LT(static_cast<double>(full.lattice->missingCount()) /
+                  static_cast<double>(full.lattice->points().size()),
+              0.35);
     // a sector behind the sensor, across ±180°: the seam lies in the empty sector
     const Scan sector = project(randomCloud(20000, seed, 130, 230));
     expectConsistent(sector);
     expectOrdered(sector, 300);
-    EXPECT_LT(static_cast<double>(sector.lattice->missingCount()) / static_cast<double>(sector.lattice->points().size()), 0.35);
+    EXPECT_LT(static_cast<double>(sector.lattice->missingCount()) /
+                  static_cast<double>(sector.lattice->points().size()),
+              0.35);
   }
 }
 
 TEST(SphericalProjection, TheNearerPointHasTheNeuronTheEarlierIfEqual) {
-  const Scan scan = project({direction(0, 0, 4), direction(0, 0, 2), direction(0, 0, 2), direction(40, 10, 1)});
+  const Scan scan =
+      project({direction(0, 0, 4), direction(0, 0, 2), direction(0, 0, 2), direction(40, 10, 1)});
   expectConsistent(scan);
   EXPECT_EQ(scan.neuronOfPoint[0], -1);
   EXPECT_GE(scan.neuronOfPoint[1], 0);
@@ -138,7 +148,9 @@ TEST(SphericalProjection, WhatIsSeenThroughANearSurfaceIsHidden) {
   const Scan scan = project(cloud);
   expectConsistent(scan);
   for (const Eigen::Vector3f& p : scan.lattice->points().values())
-    if (p.allFinite()) { EXPECT_LT(p.norm(), 3.0f); }
+    if (p.allFinite()) {
+      EXPECT_LT(p.norm(), 3.0f);
+    }
 }
 
 TEST(SphericalProjection, SeenFromTheSensorNotTheOrigin) {
@@ -159,13 +171,21 @@ TEST(SphericalProjection, SeenFromTheSensorNotTheOrigin) {
 TEST(SphericalProjection, DegenerateClouds) {
   const Eigen::Vector3f nan = Eigen::Vector3f::Constant(kNaNf);
   const std::vector<std::vector<Eigen::Vector3f>> clouds = {
-      {}, {nan}, {{0, 0, 0}}, {{1, 0, 0}}, {nan, {0, 0, 5}, nan}, {{0, 0, 5}, {0, 0, -5}}, {{-1, 0, 0}, {-1, -0.0F, 0}}, {{1e8F, 0, 1}, {1e-8F, 1e-8F, 0}},
+      {},
+      {nan},
+      {{0, 0, 0}},
+      {{1, 0, 0}},
+      {nan, {0, 0, 5}, nan},
+      {{0, 0, 5}, {0, 0, -5}},
+      {{-1, 0, 0}, {-1, -0.0F, 0}},
+      {{1e8F, 0, 1}, {1e-8F, 1e-8F, 0}},
       std::vector<Eigen::Vector3f>(1000, Eigen::Vector3f(1, 2, 3))};
   for (const auto& cloud : clouds) expectConsistent(project(cloud));
   // many points in one place and one far off: the lattice stays in proportion
   std::vector<Eigen::Vector3f> lopsided;
   std::mt19937 random(4);
-  for (int i = 0; i < 100000; ++i) lopsided.push_back(direction(1e-6 * (random() % 1000000), 1e-6 * (random() % 1000000), 2));
+  for (int i = 0; i < 100000; ++i)
+    lopsided.push_back(direction(1e-6 * (random() % 1000000), 1e-6 * (random() % 1000000), 2));
   lopsided.push_back(direction(170, -80, 1));
   const Scan scan = project(lopsided);
   EXPECT_LE(scan.lattice->points().size(), 4096 + 16 * lopsided.size());

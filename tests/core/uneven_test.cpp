@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Regions of 500 neurons and more on a floor 1 m below the sensor that goes on, from 3 m ahead, bent upwards by
-/// an angle or raised by a step.
+/// Regions of 500 neurons and more on a floor 1 m below the sensor that goes on, from 3 m ahead, bent upwards
+/// by an angle or raised by a step.
 std::size_t largeRegions(double bentDeg, double step, double sigma = 0.005) {
   Scene scene;
   scene.items.resize(2);

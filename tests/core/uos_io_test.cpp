@@ -24,7 +24,9 @@ using test::TemporaryFolder;
 using test::uosFile;
 using test::uosRow;
 
-Expected<Scan> readBytes(const std::string& bytes) { return readScanBytes("/nowhere/scan.3d", bytes); }
+Expected<Scan> readBytes(const std::string& bytes) {
+  return readScanBytes("/nowhere/scan.3d", bytes);
+}
 
 Scan readGood(const std::string& bytes) {
   auto scan = readBytes(bytes);
@@ -32,7 +34,9 @@ Scan readGood(const std::string& bytes) {
   return std::move(scan).value();
 }
 
-size_t rowsOf(const Scan& scan) { return scan.unordered() ? scan.cloud.size() : scan.lattice->points().size(); }
+size_t rowsOf(const Scan& scan) {
+  return scan.unordered() ? scan.cloud.size() : scan.lattice->points().size();
+}
 
 TEST(UosReader, LatticeFromTheOrderColumnsFromLeftToRight) {
   const Scan scan = readGood(uosFile(4, 6));
@@ -56,8 +60,9 @@ TEST(UosReader, LatticeFromTheOrderColumnsFromLeftToRight) {
 
 TEST(UosReader, HeaderLineColumnsAndLineEndsDoNotMatter) {
   const Scan plain = readGood(uosFile(3, 5));
-  for (const std::string& text : {"5 x 2\n" + uosFile(3, 5), "5x3\r\n" + uosFile(3, 5, "\r\n"), uosFile(3, 5, "\r\n\r\n"), uosFile(3, 5, "\n", " 17 0.5"),
-                                  uosFile(3, 5, "  \n") + "\n \n"}) {
+  for (const std::string& text :
+       {"5 x 2\n" + uosFile(3, 5), "5x3\r\n" + uosFile(3, 5, "\r\n"), uosFile(3, 5, "\r\n\r\n"),
+        uosFile(3, 5, "\n", " 17 0.5"), uosFile(3, 5, "  \n") + "\n \n"}) {
     const Scan scan = readGood(text);
     ASSERT_EQ(scan.lattice->lines(), 3);
     ASSERT_EQ(scan.lattice->beams(), 5);
@@ -94,8 +99,10 @@ TEST(UosReader, PoseFileBesideTheScan) {
   ASSERT_TRUE(scan);
   EXPECT_TRUE(scan->pose.map_T_scan.translation().isApprox(Eigen::Vector3d(3, -1, 0.2)));
   // ty turns UOS z (forward) to x (right): our forward becomes our right
-  EXPECT_TRUE((scan->pose.map_T_scan.linear() * Eigen::Vector3d::UnitX()).isApprox(-Eigen::Vector3d::UnitY(), 1e-12));
-  for (const char* bad : {"", "1 2 3\n", "1 2 3\n4 5\n", "1 2 3\n4 5 x\n", "1 2 3\n4 5 nan\n", "1 2 3\n4 5 6\n7\n", "1 2 3 4 5 1e999"}) {
+  EXPECT_TRUE(
+      (scan->pose.map_T_scan.linear() * Eigen::Vector3d::UnitX()).isApprox(-Eigen::Vector3d::UnitY(), 1e-12));
+  for (const char* bad : {"", "1 2 3\n", "1 2 3\n4 5\n", "1 2 3\n4 5 x\n", "1 2 3\n4 5 nan\n",
+                          "1 2 3\n4 5 6\n7\n", "1 2 3 4 5 1e999"}) {
     putFile(folder / "scan007.pose", bad);
     scan = readScan(folder / "scan007.3d");
     ASSERT_FALSE(scan) << bad;
@@ -112,11 +119,15 @@ TEST(UosReader, PoseFileBesideTheScan) {
 TEST(UosReader, PoseCommutesWithTheChangeOfAxes) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-180, 180);
-  const auto ours = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.z() / 100, -p.x() / 100, p.y() / 100); };
+  const auto ours = [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.z() / 100, -p.x() / 100, p.y() / 100);
+  };
   for (int round = 0; round < 100; ++round) {
-    const Eigen::Vector3d t(any(random), any(random), any(random)), angles(any(random), any(random), any(random)), p(any(random), any(random), any(random));
+    const Eigen::Vector3d t(any(random), any(random), any(random)),
+        angles(any(random), any(random), any(random)), p(any(random), any(random), any(random));
     std::string text;
-    for (const double v : {t.x(), t.y(), t.z(), angles.x(), angles.y(), angles.z()}) text += shortestText(v) + "\n";
+    for (const double v : {t.x(), t.y(), t.z(), angles.x(), angles.y(), angles.z()})
+      text += shortestText(v) + "\n";
     const auto pose = readUosPose("a.pose", text);
     ASSERT_TRUE(pose);
     const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(degToRad(angles.x()), Eigen::Vector3d::UnitX()) *
@@ -128,7 +139,8 @@ TEST(UosReader, PoseCommutesWithTheChangeOfAxes) {
   }
 }
 
-// Without counts a text cut after a whole row is a file; a last row without line end counts only if it is whole.
+// Without counts a text cut after a whole row is a file; a last row without line end counts only if it is
+// whole.
 TEST(UosReader, EveryPrefixHasExactlyItsWholeRows) {
   const std::string file = uosFile(3, 4);
   test::forEveryPrefix(file, [&](size_t n, const std::string& prefix) {
@@ -155,7 +167,9 @@ TEST(UosReader, RefusesHostileFiles) {
   test::expectAllRefused(".3d", files);
 }
 
-TEST(UosReader, DamagedCopiesNeverBreakIt) { EXPECT_GT(test::readDamagedCopies(".3d", "4 x 3\n" + uosFile(3, 4), 5000, 9), 1000); }
+TEST(UosReader, DamagedCopiesNeverBreakIt) {
+  EXPECT_GT(test::readDamagedCopies(".3d", "4 x 3\n" + uosFile(3, 4), 5000, 9), 1000);
+}
 
 }  // namespace
 }  // namespace stratascope

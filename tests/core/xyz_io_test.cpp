@@ -24,15 +24,21 @@ using test::putFile;
 using test::replaced;
 using test::TemporaryFolder;
 
-Expected<Scan> readBytes(const std::string& bytes) { return readScanBytes("scan.xyz", bytes); }
+Expected<Scan> readBytes(const std::string& bytes) {
+  return readScanBytes("scan.xyz", bytes);
+}
 
 const std::vector<Eigen::Vector3f> kPoints = {{1.5F, 2.5F, -3}, {1, 0, 0.125F}, {2, -1, 1e-3F}};
 
 TEST(XyzReader, SeparatorsCommentsNamesAndColumns) {
-  for (const char* text : {"1.5 2.5 -3\n1 0 0.125\n2 -1 1e-3\n", "1.5,2.5,-3\n1,0,0.125\n2,-1,1e-3\n", "1.5;2.5;-3\r\n1;0;0.125\r\n2;-1;0.001",
-                           "  1.5\t2.5   -3 \n\n1 0 .125\n\n+2 -1 +1E-3\n", "# a comment\n//X Y Z\n1.5 2.5 -3\n# more\n1 0 0.125\n2 -1 1e-3\n",
-                           "x y z\n1.5 2.5 -3\n1 0 0.125\n2 -1 1e-3\n", "\"X\", \"Y\", \"Z\", \"Red\"\n1.5, 2.5, -3, 7\n1, 0, 0.125, 8\n2, -1, 1e-3, 9\n",
-                           "id z y x\n1 -3 2.5 1.5\n2 0.125 0 1\n3 1e-3 -1 2\n", "East North Up\n1.5 2.5 -3\n1 0 0.125\n2 -1 1e-3\n"}) {
+  for (const char* text :
+       {"1.5 2.5 -3\n1 0 0.125\n2 -1 1e-3\n", "1.5,2.5,-3\n1,0,0.125\n2,-1,1e-3\n",
+        "1.5;2.5;-3\r\n1;0;0.125\r\n2;-1;0.001", "  1.5\t2.5   -3 \n\n1 0 .125\n\n+2 -1 +1E-3\n",
+        "# a comment\n//X Y Z\n1.5 2.5 -3\n# more\n1 0 0.125\n2 -1 1e-3\n",
+        "x y z\n1.5 2.5 -3\n1 0 0.125\n2 -1 1e-3\n",
+        "\"X\", \"Y\", \"Z\", \"Red\"\n1.5, 2.5, -3, 7\n1, 0, 0.125, 8\n2, -1, 1e-3, 9\n",
+        "id z y x\n1 -3 2.5 1.5\n2 0.125 0 1\n3 1e-3 -1 2\n",
+        "East North Up\n1.5 2.5 -3\n1 0 0.125\n2 -1 1e-3\n"}) {
     const auto scan = readBytes(text);
     ASSERT_TRUE(scan) << text << scan.error().message();
     EXPECT_TRUE(scan->unordered());
@@ -67,7 +73,9 @@ TEST(XyzRoundTrip, ThousandRandomClouds) {
     std::vector<Eigen::Vector3f> expected;
     for (size_t i = 1 + random() % 30; i > 0; --i) {
       const bool missing = !scan.cloud.empty() && random() % 6 == 0;
-      scan.cloud.push_back(missing ? Eigen::Vector3f::Constant(kNaNf) : Eigen::Vector3f(coordinate(random), coordinate(random) * 1e-20F, coordinate(random)));
+      scan.cloud.push_back(
+          missing ? Eigen::Vector3f::Constant(kNaNf)
+                  : Eigen::Vector3f(coordinate(random), coordinate(random) * 1e-20F, coordinate(random)));
       if (!missing) expected.push_back(scan.cloud.back());
     }
     ScanBuilder builder(1);
@@ -76,7 +84,8 @@ TEST(XyzRoundTrip, ThousandRandomClouds) {
     const auto back = readScanBytes(name, *scanBytes(scan, name));
     ASSERT_TRUE(back) << back.error().message();
     ASSERT_EQ(back->cloud.size(), expected.size());
-    for (size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(std::memcmp(back->cloud[i].data(), expected[i].data(), sizeof expected[i]), 0);
+    for (size_t i = 0; i < expected.size(); ++i)
+      EXPECT_EQ(std::memcmp(back->cloud[i].data(), expected[i].data(), sizeof expected[i]), 0);
   }
 }
 
@@ -86,7 +95,8 @@ TEST(XyzReader, EveryPrefixHasExactlyItsWholeRows) {
     const auto rows = static_cast<size_t>(std::count(prefix.begin(), prefix.end(), '\n'));
     const std::string last = prefix.substr(prefix.rfind('\n') + 1);
     double v[3];
-    const bool whole = std::sscanf(last.c_str(), "%lf %lf %lf", &v[0], &v[1], &v[2]) == 3 && !last.ends_with("e") && !last.ends_with("-");
+    const bool whole = std::sscanf(last.c_str(), "%lf %lf %lf", &v[0], &v[1], &v[2]) == 3 &&
+                       !last.ends_with("e") && !last.ends_with("-");
     const auto scan = readBytes(prefix);
     if (rows + whole == 0 || (!last.empty() && !whole)) {
       EXPECT_FALSE(scan) << n;
@@ -115,7 +125,8 @@ TEST(ScanIo, DirectoriesPipesAndUnknownFiles) {
   ASSERT_EQ(::mkfifo((folder / "pipe.pcd").c_str(), 0600), 0);
   putFile(folder / "scan.doc", "hello");
   putFile(folder / "empty.pcd", "");
-  for (const std::string& path : {folder.path().string(), folder / "pipe.pcd", folder / "absent.pcd", folder / "scan.doc", folder / "empty.pcd", std::string("/dev/zero")}) {
+  for (const std::string& path : {folder.path().string(), folder / "pipe.pcd", folder / "absent.pcd",
+                                  folder / "scan.doc", folder / "empty.pcd", std::string("/dev/zero")}) {
     const auto scan = readScan(path);
     ASSERT_FALSE(scan);
     EXPECT_EQ(scan.error().file, path);
@@ -159,15 +170,18 @@ TEST(ScanIo, PoseFromText) {
   ASSERT_TRUE(pose);
   EXPECT_TRUE(pose->translation().isApprox(Eigen::Vector3d(1, -2.5, 3)));
   // yaw 90° turns forward to the left, then nothing tilts it but pitch: −20° looks up
-  EXPECT_TRUE((pose->linear() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d(0, std::cos(degToRad(20)), std::sin(degToRad(20))), 1e-12));
-  for (const char* bad : {"", "1", "1,2,3,4,5", "1,2,3,4,5,6,7", "1,2,3,4,5,", "1,2,3,4,5,x", "1,2,3,4,5,nan", "1,2,3,4,5,inf", "1 2,3,4,5,6", ",,,,,", "1,2,3,4,5,6 7", "1,2,3,4,5,1e999",
-                          "1e10,0,0,0,0,0"})
+  EXPECT_TRUE((pose->linear() * Eigen::Vector3d::UnitX())
+                  .isApprox(Eigen::Vector3d(0, std::cos(degToRad(20)), std::sin(degToRad(20))), 1e-12));
+  for (const char* bad :
+       {"", "1", "1,2,3,4,5", "1,2,3,4,5,6,7", "1,2,3,4,5,", "1,2,3,4,5,x", "1,2,3,4,5,nan", "1,2,3,4,5,inf",
+        "1 2,3,4,5,6", ",,,,,", "1,2,3,4,5,6 7", "1,2,3,4,5,1e999", "1e10,0,0,0,0,0"})
     EXPECT_FALSE(poseFromText(bad)) << bad;
 }
 
 TEST(ScanIo, ForeignLocaleDoesNotMatter) {
   const std::string old = std::setlocale(LC_ALL, nullptr);
-  if (!std::setlocale(LC_ALL, "de_DE.UTF-8") && !std::setlocale(LC_ALL, "de_DE.utf8")) GTEST_SKIP() << "skipped: no German locale";
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8") && !std::setlocale(LC_ALL, "de_DE.utf8"))
+    GTEST_SKIP() << "skipped: no German locale";
   char text[16];
   std::snprintf(text, sizeof text, "%.1f", 1.5);
   const auto scan = readBytes("1.5 2.5 3.5\n");

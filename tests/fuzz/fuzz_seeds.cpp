@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
   }
   namespace fs = std::filesystem;
   for (const auto& format : stratascope::test::formatsUnderAttack()) {
-    const fs::path folder = fs::path(argv[1]) / (format.name == "scan graph" ? "graph" : format.extension.substr(1));
+    const fs::path folder =
+        fs::path(argv[1]) / (format.name == "scan graph" ? "graph" : format.extension.substr(1));
     fs::create_directories(folder);
     for (size_t i = 0; i < format.valid.size(); ++i) {
       std::string bytes = format.valid[i];

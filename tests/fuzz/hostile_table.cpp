@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads every hostile file in a child process of its own and prints a table: a row a format with cases, crashes, hangs, silent
-// acceptances and the most memory a child took for reading. Exit status 1 if there was any.
+// Reads every hostile file in a child process of its own and prints a table: a row a format with cases,
+// crashes, hangs, silent acceptances and the most memory a child took for reading. Exit status 1 if there was
+// any.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,14 +53,16 @@ Result readInChild(const std::string& path, const std::string& bytes) {
   close(ends[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  if (told && WIFEXITED(status) && (WEXITSTATUS(status) == Refused || WEXITSTATUS(status) == Accepted)) return {static_cast<Outcome>(WEXITSTATUS(status)), grown};
+  if (told && WIFEXITED(status) && (WEXITSTATUS(status) == Refused || WEXITSTATUS(status) == Accepted))
+    return {static_cast<Outcome>(WEXITSTATUS(status)), grown};
   return {WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM ? Hung : Crashed, grown};
 }
 
 }  // namespace
 
 int main() {
-  std::printf("%-12s %8s %8s %8s %8s %12s\n", "format", "hostile", "crashes", "hangs", "silent", "memory/MiB");
+  std::printf("%-12s %8s %8s %8s %8s %12s\n", "format", "hostile", "crashes", "hangs", "silent",
+              "memory/MiB");
   int findings = 0;
   for (const auto& format : stratascope::test::formatsUnderAttack()) {
     int crashes = 0, hangs = 0, silent = 0;
@@ -72,7 +75,8 @@ int main() {
       peak = std::max(peak, result.peakKiB);
       if (result.outcome != Refused) std::fprintf(stderr, "%s: %s\n", format.name.c_str(), file.name.c_str());
     }
-    std::printf("%-12s %8zu %8d %8d %8d %12ld\n", format.name.c_str(), format.hostile.size(), crashes, hangs, silent, peak / 1024);
+    std::printf("%-12s %8zu %8d %8d %8d %12ld\n", format.name.c_str(), format.hostile.size(), crashes, hangs,
+                silent, peak / 1024);
     findings += crashes + hangs + silent;
   }
   return findings == 0 ? 0 : 1;

@@ -27,24 +27,33 @@ Cloud randomCloud(std::mt19937& random, bool lattice) {
   cloud.front() = {1, 2, 3};
   cloud.is_dense = false;
   cloud.sensor_origin_ = {coordinate(random), coordinate(random), coordinate(random), 0};
-  cloud.sensor_orientation_ = Eigen::Quaternionf(1, coordinate(random), coordinate(random), coordinate(random)).normalized();
+  cloud.sensor_orientation_ =
+      Eigen::Quaternionf(1, coordinate(random), coordinate(random), coordinate(random)).normalized();
   return cloud;
 }
 
 /// `written` says the pose: PCL's PLY reader loses it.
 void expectSame(const Scan& ours, const Cloud& theirs, const Cloud& written, const std::string& what) {
-  const std::span<const Eigen::Vector3f> points = ours.unordered() ? std::span<const Eigen::Vector3f>(ours.cloud) : ours.lattice->points().values();
+  const std::span<const Eigen::Vector3f> points =
+      ours.unordered() ? std::span<const Eigen::Vector3f>(ours.cloud) : ours.lattice->points().values();
   ASSERT_EQ(points.size(), theirs.size()) << what;
   if (theirs.height > 1) {
     EXPECT_EQ(static_cast<unsigned>(ours.lattice->lines()), theirs.height) << what;
     EXPECT_EQ(static_cast<unsigned>(ours.lattice->beams()), theirs.width) << what;
   }
-  EXPECT_LT((ours.pose.scan_T_sensor.translation() - written.sensor_origin_.head<3>().cast<double>()).norm(), 1e-4) << what;
-  EXPECT_LT((ours.pose.scan_T_sensor.linear() - written.sensor_orientation_.toRotationMatrix().cast<double>()).norm(), 1e-4) << what;
+  EXPECT_LT((ours.pose.scan_T_sensor.translation() - written.sensor_origin_.head<3>().cast<double>()).norm(),
+            1e-4)
+      << what;
+  EXPECT_LT((ours.pose.scan_T_sensor.linear() - written.sensor_orientation_.toRotationMatrix().cast<double>())
+                .norm(),
+            1e-4)
+      << what;
   for (size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f p = theirs[i].getVector3fMap();
-    const bool same = p.allFinite() ? std::memcmp(p.data(), points[i].data(), sizeof p) == 0 : !points[i].allFinite();
-    ASSERT_TRUE(same) << what << ", point " << i << ": " << p.transpose() << " against " << points[i].transpose();
+    const bool same =
+        p.allFinite() ? std::memcmp(p.data(), points[i].data(), sizeof p) == 0 : !points[i].allFinite();
+    ASSERT_TRUE(same) << what << ", point " << i << ": " << p.transpose() << " against "
+                      << points[i].transpose();
   }
 }
 

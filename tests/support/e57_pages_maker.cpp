@@ -24,7 +24,8 @@ std::string e57FromLogical(std::string logical, std::uint64_t xmlAt, std::uint64
 std::string withChecksums(std::string file) {
   constexpr std::uint64_t kPage = 1024, kContent = kPage - 4;
   for (size_t page = 0; page + kPage <= file.size(); page += kPage)
-    file.replace(page + kContent, 4, rawBytes(__builtin_bswap32(crc32c(std::string_view(file).substr(page, kContent)))));
+    file.replace(page + kContent, 4,
+                 rawBytes(__builtin_bswap32(crc32c(std::string_view(file).substr(page, kContent)))));
   return file;
 }
 

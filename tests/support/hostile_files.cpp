@@ -35,7 +35,8 @@ void expectAllRefused(const std::string& extension, const std::vector<HostileFil
   EXPECT_LT(peakKiB() - before, 256L << 10) << "memory not bounded by the files' size";
 }
 
-int readDamagedCopies(const std::string& extension, const std::string& valid, int copies, std::uint32_t seed) {
+int readDamagedCopies(const std::string& extension, const std::string& valid, int copies,
+                      std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto below = [&](size_t n) { return static_cast<size_t>(random() % n); };
   int refused = 0;
@@ -44,11 +45,20 @@ int readDamagedCopies(const std::string& extension, const std::string& valid, in
     for (size_t change = 1 + below(4); change > 0 && !bytes.empty(); --change) {
       const size_t at = below(bytes.size());
       switch (below(5)) {
-        case 0: bytes[at] = static_cast<char>(random()); break;
-        case 1: bytes[at] = "0123456789 .-\n"[below(14)]; break;
-        case 2: bytes.erase(at, 1 + below(8)); break;
-        case 3: bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(16))); break;
-        default: bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+        case 0:
+          bytes[at] = static_cast<char>(random());
+          break;
+        case 1:
+          bytes[at] = "0123456789 .-\n"[below(14)];
+          break;
+        case 2:
+          bytes.erase(at, 1 + below(8));
+          break;
+        case 3:
+          bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(16)));
+          break;
+        default:
+          bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
       }
     }
     const auto scan = readScanBytes("/nowhere/damaged" + extension, bytes);

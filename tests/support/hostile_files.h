@@ -17,8 +17,8 @@ struct HostileFile {
 /// Every file must be refused by readScanBytes with one line that names it, without a large allocation.
 void expectAllRefused(const std::string& extension, const std::vector<HostileFile>& files);
 
-/// Reads many damaged copies of a valid file (bytes changed, cut out, doubled). Each must give an error or a scan that is
-/// whole in itself. Returns how many were refused.
+/// Reads many damaged copies of a valid file (bytes changed, cut out, doubled). Each must give an error or a
+/// scan that is whole in itself. Returns how many were refused.
 int readDamagedCopies(const std::string& extension, const std::string& valid, int copies, std::uint32_t seed);
 
 /// The file cut after n bytes, for every n: call(n, the n bytes).

@@ -26,11 +26,15 @@ void addForeignBytes(std::vector<HostileFile>& files, const std::string& valid) 
 }
 
 /// Attacks on one number of a text file.
-void addWrongNumbers(std::vector<HostileFile>& files, const std::string& valid, const std::string& row, const std::string& number) {
-  for (const char* wrong : {"abc", "1.5abc", "0x10", "1,5", "1..2", "1e", "e5", "--1", "++1", "+-1", "1e999", "-1e999", "1e12", "1;5", "1\v2", "'1'"})
+void addWrongNumbers(std::vector<HostileFile>& files, const std::string& valid, const std::string& row,
+                     const std::string& number) {
+  for (const char* wrong : {"abc", "1.5abc", "0x10", "1,5", "1..2", "1e", "e5", "--1", "++1", "+-1", "1e999",
+                            "-1e999", "1e12", "1;5", "1\v2", "'1'"})
     files.push_back({std::string("number ") + wrong, replaced(valid, row, replaced(row, number, wrong))});
-  files.push_back({"NUL in a number", replaced(valid, row, replaced(row, number, std::string_view("2\0.25", 5)))});
-  files.push_back({"a million digits", replaced(valid, row, replaced(row, number, std::string(1000000, '9')))});
+  files.push_back(
+      {"NUL in a number", replaced(valid, row, replaced(row, number, std::string_view("2\0.25", 5)))});
+  files.push_back(
+      {"a million digits", replaced(valid, row, replaced(row, number, std::string(1000000, '9')))});
 }
 
 FormatUnderAttack ply() {
@@ -39,11 +43,15 @@ FormatUnderAttack ply() {
   const std::string big = plyFile(PlyEncoding::BinaryBigEndian, true);
   const std::string grid = plyRangeGrid(PlyEncoding::Ascii);
   const std::string binaryGrid = plyRangeGrid(PlyEncoding::BinaryLittleEndian);
-  FormatUnderAttack format{"PLY", ".ply", {a, b, big, plyFile(PlyEncoding::BinaryLittleEndian, true), grid, binaryGrid}, {}};
+  FormatUnderAttack format{
+      "PLY", ".ply", {a, b, big, plyFile(PlyEncoding::BinaryLittleEndian, true), grid, binaryGrid}, {}};
   auto& files = format.hostile;
   addForeignBytes(files, a);
   addWrongNumbers(files, a, "1.5 2.25 -0.5", "2.25");
-  const auto with = [&](const char* name, const std::string& base, std::string_view from, const std::string& to) { files.push_back({name, replaced(base, from, to)}); };
+  const auto with = [&](const char* name, const std::string& base, std::string_view from,
+                        const std::string& to) {
+    files.push_back({name, replaced(base, from, to)});
+  };
   with("PLY of another version", a, "1.0", "2.0");
   with("no format", a, "format ascii 1.0\n", "");
   with("format twice", a, "comment small", "format ascii 1.0");
@@ -79,14 +87,16 @@ FormatUnderAttack ply() {
   with("fraction in an integer", a, " 200 ", " 200.5 ");
   with("a list of minus one", replaced(a, "list uchar", "list char"), "3 0 1 3", "-1 0 1 3");
   with("a list longer than the file", b, std::string_view("\3\0\0\0", 4), std::string("\xFF\0\0\0", 4));
-  with("a list of four billion", replaced(b, "list uchar", "list uint"), std::string_view("\3\0\0\0", 4), std::string(8, '\xFF'));
+  with("a list of four billion", replaced(b, "list uchar", "list uint"), std::string_view("\3\0\0\0", 4),
+       std::string(8, '\xFF'));
   with("absurd coordinate", b, rawBytes(2.25F), rawBytes(1e30F));
   with("only num_cols", grid, "obj_info num_rows 2\n", "");
   with("num_cols twice", grid, "num_rows 2", "num_cols 2");
   with("num_cols 0", grid, "num_cols 3", "num_cols 0");
   with("num_cols huge", grid, "num_cols 3", "num_cols 4000000000");
   with("grid of another size", grid, "num_cols 3", "num_cols 4");
-  with("grid wraps 64 bits", replaced(grid, "num_cols 3", "num_cols 2147483647"), "num_rows 2", "num_rows 2147483647");
+  with("grid wraps 64 bits", replaced(grid, "num_cols 3", "num_cols 2147483647"), "num_rows 2",
+       "num_rows 2147483647");
   with("vertex not there", grid, "1 4 ", "1 5 ");
   with("vertex -1", grid, "1 4 ", "1 -1 ");
   with("vertex twice in the grid", grid, "1 4 ", "1 3 ");
@@ -94,9 +104,19 @@ FormatUnderAttack ply() {
   files.push_back({"binary, a byte long", b + "x"});
   files.push_back({"binary, a byte short", b.substr(0, b.size() - 1)});
   files.push_back({"ascii, a row long", a + "1 2 3\n"});
-  files.push_back({"endless comments", [] { std::string s = "ply\nformat ascii 1.0\n"; for (int i = 0; i < 50000; ++i) s += "comment more\n"; return s; }()});
-  files.push_back({"10^5 properties", [] { std::string s = "ply\nformat ascii 1.0\nelement vertex 1\n"; for (int i = 0; i < 100000; ++i) s += "property float p" + std::to_string(i) + "\n"; return s + "end_header\n"; }()});
-  files.push_back({"only zeros", replaced(a, a.substr(a.find("end_header\n") + 11), "0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n3 0 1 3\n")});
+  files.push_back({"endless comments", [] {
+                     std::string s = "ply\nformat ascii 1.0\n";
+                     for (int i = 0; i < 50000; ++i) s += "comment more\n";
+                     return s;
+                   }()});
+  files.push_back({"10^5 properties", [] {
+                     std::string s = "ply\nformat ascii 1.0\nelement vertex 1\n";
+                     for (int i = 0; i < 100000; ++i) s += "property float p" + std::to_string(i) + "\n";
+                     return s + "end_header\n";
+                   }()});
+  files.push_back({"only zeros",
+                   replaced(a, a.substr(a.find("end_header\n") + 11),
+                            "0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n3 0 1 3\n")});
   return format;
 }
 
@@ -106,7 +126,9 @@ FormatUnderAttack ptx() {
   auto& files = format.hostile;
   addForeignBytes(files, good);
   addWrongNumbers(files, good, "1 0.5 -0.5 1", "0.5");
-  const auto with = [&](const char* name, std::string_view from, const std::string& to) { files.push_back({name, replaced(good, from, to)}); };
+  const auto with = [&](const char* name, std::string_view from, const std::string& to) {
+    files.push_back({name, replaced(good, from, to)});
+  };
   with("no columns", "2\n3\n", "0\n3\n");
   with("minus columns", "2\n3\n", "-2\n3\n");
   with("fractional rows", "2\n3\n", "2\n3.0\n");
@@ -138,7 +160,9 @@ FormatUnderAttack ptx() {
   files.push_back({"a row after the end", good + "1 2 3 4\n"});
   files.push_back({"a head after the end", good + "2\n3\n0 0 0\n"});
   files.push_back({"only a head", good.substr(0, good.find("1 0 -0.5"))});
-  files.push_back({"all missing", "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n0 0 0 0.5\n0 0 0 0.5\n"});
+  files.push_back(
+      {"all missing",
+       "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n0 0 0 0.5\n0 0 0 0.5\n"});
   return format;
 }
 
@@ -148,7 +172,9 @@ FormatUnderAttack pts() {
   auto& files = format.hostile;
   addForeignBytes(files, good);
   addWrongNumbers(files, good, "-1 0 0.125", "0.125");
-  const auto with = [&](const char* name, std::string_view from, const std::string& to) { files.push_back({name, replaced(good, from, to)}); };
+  const auto with = [&](const char* name, std::string_view from, const std::string& to) {
+    files.push_back({name, replaced(good, from, to)});
+  };
   with("no count", "3\n1.5", "1.5");
   with("count 0", "3\n1.5", "0\n1.5");
   with("count -3", "3\n1.5", "-3\n1.5");
@@ -178,7 +204,9 @@ FormatUnderAttack polar() {
   addForeignBytes(files, good);
   // a decimal comma makes one column more
   addWrongNumbers(files, good, "1,2,2.5,7", "2.5");
-  const auto with = [&](const char* name, std::string_view from, const std::string& to) { files.push_back({name, replaced(good, from, to)}); };
+  const auto with = [&](const char* name, std::string_view from, const std::string& to) {
+    files.push_back({name, replaced(good, from, to)});
+  };
   with("no column names", "line,beam,range,intensity\n", "");
   with("no range", "line,beam,range,", "line,beam,distance,");
   with("range twice", "range,intensity", "range,range");
@@ -208,7 +236,8 @@ FormatUnderAttack polar() {
   with("intensity text", "1,2,2.5,7", "1,2,2.5,bright");
   files.push_back({"no readings", good.substr(0, good.find("0,0,2.5"))});
   files.push_back({"names only", "line,beam,range\n"});
-  files.push_back({"all missing", replaced(good.substr(0, good.find("0,0,2.5")), "# readings 11\n", "") + "0,0,0,7\n0,1,nan,7\n"});
+  files.push_back({"all missing", replaced(good.substr(0, good.find("0,0,2.5")), "# readings 11\n", "") +
+                                      "0,0,0,7\n0,1,nan,7\n"});
   return format;
 }
 
@@ -218,7 +247,9 @@ FormatUnderAttack scanGraph() {
   auto& files = format.hostile;
   addForeignBytes(files, good);
   addWrongNumbers(files, good, "1.5 1 0", "1.5");
-  const auto with = [&](const char* name, std::string_view from, const std::string& to) { files.push_back({name, replaced(good, from, to)}); };
+  const auto with = [&](const char* name, std::string_view from, const std::string& to) {
+    files.push_back({name, replaced(good, from, to)});
+  };
   with("pose of five", "NODE 1 2 3 0 0 0", "NODE 1 2 3 0 0");
   with("pose of seven", "NODE 1 2 3 0 0 0", "NODE 1 2 3 0 0 0 0");
   with("pose nan", "NODE 1 2 3 0 0 0", "NODE 1 2 3 0 nan 0");
@@ -242,7 +273,11 @@ FormatUnderAttack scanGraph() {
 FormatUnderAttack las() {
   const std::string good = lasFile();
   const std::string four = lasFile({.minor = 4, .format = 7, .extendedRecord = true});
-  FormatUnderAttack format{"LAS", ".las", {good, four, lasFile({.minor = 3, .format = 1}), lasFile({.minor = 4, .format = 6, .record = false})}, {}};
+  FormatUnderAttack format{
+      "LAS",
+      ".las",
+      {good, four, lasFile({.minor = 3, .format = 1}), lasFile({.minor = 4, .format = 6, .record = false})},
+      {}};
   auto& files = format.hostile;
   addForeignBytes(files, good);
   const auto with = [&](const char* name, const std::string& base, size_t at, const std::string& bytes) {
@@ -331,13 +366,20 @@ FormatUnderAttack e57() {
   files.push_back({"a byte long", good + "x"});
   files.push_back({"wrong checksum", e57File({.checksums = false})});
   // From here on the checksums are right: what they protect is wrong.
-  const auto made = [&](const char* name, const E57Options& options) { files.push_back({name, e57File(options)}); };
-  const std::string z = R"(<cartesianX type="ScaledInteger" minimum="-8388608" maximum="8388607"/><cartesianY type="ScaledInteger" minimum="-8388608" maximum="8388607"/>)";
-  const std::string rest = R"(<rowIndex type="Integer" minimum="0" maximum="3"/><columnIndex type="Integer" minimum="0" maximum="3"/><cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)";
-  const auto points = [](const char* at, const char* count) { return std::string("type=\"CompressedVector\" fileOffset=\"") + at + "\" recordCount=\"" + count + "\""; };
+  const auto made = [&](const char* name, const E57Options& options) {
+    files.push_back({name, e57File(options)});
+  };
+  const std::string z =
+      R"(<cartesianX type="ScaledInteger" minimum="-8388608" maximum="8388607"/><cartesianY type="ScaledInteger" minimum="-8388608" maximum="8388607"/>)";
+  const std::string rest =
+      R"(<rowIndex type="Integer" minimum="0" maximum="3"/><columnIndex type="Integer" minimum="0" maximum="3"/><cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)";
+  const auto points = [](const char* at, const char* count) {
+    return std::string("type=\"CompressedVector\" fileOffset=\"") + at + "\" recordCount=\"" + count + "\"";
+  };
   made("XML that does not end", {.xmlPrefix = "<open>"});
   made("XML of two roots, the wrong one", {.xmlPrefix = "<e57Root/>"});
-  made("XML entity bomb", {.xmlPrefix = "<!DOCTYPE a [<!ENTITY b \"bbbb\"><!ENTITY c \"&b;&b;&b;\">]><e57Root>&c;</e57Root>"});
+  made("XML entity bomb",
+       {.xmlPrefix = "<!DOCTYPE a [<!ENTITY b \"bbbb\"><!ENTITY c \"&b;&b;&b;\">]><e57Root>&c;</e57Root>"});
   made("no points", {.pointsAttributes = R"(type="Structure")"});
   made("no offset", {.pointsAttributes = R"(type="CompressedVector" recordCount="6")"});
   made("offset -1", {.pointsAttributes = points("-1", "6")});
@@ -356,19 +398,40 @@ FormatUnderAttack e57() {
   made("x twice", {.prototype = z + R"(<cartesianX type="Float"/>)" + rest});
   made("unknown type", {.prototype = z + R"(<cartesianZ type="Complex"/>)" + rest});
   made("text coordinate", {.prototype = z + R"(<cartesianZ type="String"/>)" + rest});
-  made("minimum above maximum", {.prototype = z + R"(<cartesianZ type="Integer" minimum="5" maximum="4"/>)" + rest});
+  made("minimum above maximum",
+       {.prototype = z + R"(<cartesianZ type="Integer" minimum="5" maximum="4"/>)" + rest});
   made("minimum text", {.prototype = z + R"(<cartesianZ type="Integer" minimum="low" maximum="4"/>)" + rest});
-  made("scale 0", {.prototype = z + R"(<cartesianZ type="ScaledInteger" minimum="0" maximum="16777215" scale="0"/>)" + rest});
-  made("scale nan", {.prototype = z + R"(<cartesianZ type="ScaledInteger" minimum="0" maximum="16777215" scale="nan"/>)" + rest});
-  made("scale huge", {.prototype = z + R"(<cartesianZ type="ScaledInteger" minimum="1" maximum="16777216" scale="1e300"/>)" + rest});
+  made("scale 0",
+       {.prototype =
+            z + R"(<cartesianZ type="ScaledInteger" minimum="0" maximum="16777215" scale="0"/>)" + rest});
+  made("scale nan",
+       {.prototype =
+            z + R"(<cartesianZ type="ScaledInteger" minimum="0" maximum="16777215" scale="nan"/>)" + rest});
+  made("scale huge",
+       {.prototype =
+            z + R"(<cartesianZ type="ScaledInteger" minimum="1" maximum="16777216" scale="1e300"/>)" + rest});
   made("half precision", {.prototype = z + R"(<cartesianZ type="Float" precision="half"/>)" + rest});
-  made("wider fields than streams", {.prototype = z + R"(<cartesianZ type="Float" precision="double"/>)" + rest});
-  made("a field more than streams", {.prototype = z + R"(<cartesianZ type="Integer" minimum="0" maximum="16777215"/><intensity type="Integer" minimum="0" maximum="1"/>)" + rest});
-  made("a field less than streams", {.prototype = z + R"(<cartesianZ type="Integer" minimum="0" maximum="16777215"/>)"});
-  made("rows of floats", {.prototype = z + R"(<cartesianZ type="Integer" minimum="0" maximum="16777215"/><rowIndex type="Float"/><columnIndex type="Integer" minimum="0" maximum="3"/><cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)"});
-  made("bounds too small", {.bounds = R"(<indexBounds><rowMaximum>1</rowMaximum><columnMaximum>2</columnMaximum></indexBounds>)"});
+  made("wider fields than streams",
+       {.prototype = z + R"(<cartesianZ type="Float" precision="double"/>)" + rest});
+  made(
+      "a field more than streams",
+      {.prototype =
+           z +
+           R"(<cartesianZ type="Integer" minimum="0" maximum="16777215"/><intensity type="Integer" minimum="0" maximum="1"/>)" +
+           rest});
+  made("a field less than streams",
+       {.prototype = z + R"(<cartesianZ type="Integer" minimum="0" maximum="16777215"/>)"});
+  made(
+      "rows of floats",
+      {.prototype =
+           z +
+           R"(<cartesianZ type="Integer" minimum="0" maximum="16777215"/><rowIndex type="Float"/><columnIndex type="Integer" minimum="0" maximum="3"/><cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)"});
+  made(
+      "bounds too small",
+      {.bounds = R"(<indexBounds><rowMaximum>1</rowMaximum><columnMaximum>2</columnMaximum></indexBounds>)"});
   made("bounds text", {.bounds = R"(<indexBounds><rowMaximum>many</rowMaximum></indexBounds>)"});
-  made("bounds beyond 2^31", {.bounds = R"(<indexBounds><rowMaximum>99999999999</rowMaximum></indexBounds>)"});
+  made("bounds beyond 2^31",
+       {.bounds = R"(<indexBounds><rowMaximum>99999999999</rowMaximum></indexBounds>)"});
   made("a pose of nan", {.pose = "<pose><translation><x>nan</x></translation></pose>"});
   made("a pose of text", {.pose = "<pose><translation><x>here</x></translation></pose>"});
   made("a zero quaternion", {.pose = "<pose><rotation><w>0</w></rotation></pose>"});
@@ -401,7 +464,11 @@ std::vector<FormatUnderAttack> formatsUnderAttack() {
           ptx(),
           pts(),
           {"UOS .3d", ".3d", {uosFile(3, 4), "4 x 3\n" + uosFile(3, 4)}, hostileUosScans(), false},
-          {"XYZ text", ".xyz", {"1 2 3\n4 5 6\n7 8 9\n", "x,y,z,i\n1,2,3,4\n-1,0.5,2,3\n"}, hostileXyzFiles(), false},
+          {"XYZ text",
+           ".xyz",
+           {"1 2 3\n4 5 6\n7 8 9\n", "x,y,z,i\n1,2,3,4\n-1,0.5,2,3\n"},
+           hostileXyzFiles(),
+           false},
           polar(),
           scanGraph(),
           las(),

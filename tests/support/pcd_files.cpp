@@ -5,7 +5,8 @@
 namespace stratascope::test {
 
 std::string header(int width, int height, const std::string& data) {
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " +
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F "
+         "F\nCOUNT 1 1 1\nWIDTH " +
          std::to_string(width) + "\nHEIGHT " + std::to_string(height) + "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " +
          std::to_string(width * height) + "\nDATA " + data + "\n";
 }
@@ -21,14 +22,16 @@ std::string packLiterally(const std::string& bytes) {
 }
 
 std::string compressedBody(const std::string& packed, size_t size) {
-  return bytesOf(static_cast<std::uint32_t>(packed.size())) + bytesOf(static_cast<std::uint32_t>(size)) + packed;
+  return bytesOf(static_cast<std::uint32_t>(packed.size())) + bytesOf(static_cast<std::uint32_t>(size)) +
+         packed;
 }
 
 const std::vector<Eigen::Vector3f> kPoints = {{1.5F, 2.25F, -0.5F}, {1.5F, 1, -0.5F}, {1.5F, 0, -0.5F},
                                               {1.5F, 2, 0.125F},    {1.5F, 1, 0.25F}, {1.5F, 0, 0.75F}};
 
 std::string asciiFile() {
-  return header(3, 2, "ascii") + "1.5 2.25 -0.5\n1.5 1 -0.5\n1.5 0 -0.5\n1.5 2 0.125\n1.5 1 0.25\n1.5 0 0.75\n";
+  return header(3, 2, "ascii") +
+         "1.5 2.25 -0.5\n1.5 1 -0.5\n1.5 0 -0.5\n1.5 2 0.125\n1.5 1 0.25\n1.5 0 0.75\n";
 }
 std::string binaryFile() {
   std::string bytes = header(3, 2, "binary");

@@ -30,7 +30,8 @@ void putFile(const std::string& path, std::string_view bytes) {
 
 std::optional<std::string> realScan(const std::string& name) {
   const char* given = std::getenv("STRATASCOPE_SCANS");
-  const fs::path folder = given && *given ? fs::path(given) : fs::path(STRATASCOPE_SOURCE_DIR) / ".." / "shared" / "scans";
+  const fs::path folder =
+      given && *given ? fs::path(given) : fs::path(STRATASCOPE_SOURCE_DIR) / ".." / "shared" / "scans";
   std::error_code failed;
   const fs::path path = folder / name;
   if (!fs::is_regular_file(path, failed)) return std::nullopt;

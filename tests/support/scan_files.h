@@ -12,7 +12,7 @@ namespace stratascope::test {
 
 /// A folder of its own, gone with the object.
 class TemporaryFolder {
- public:
+public:
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -20,20 +20,21 @@ class TemporaryFolder {
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   const std::filesystem::path& path() const { return path_; }
 
- private:
+private:
   std::filesystem::path path_;
 };
 
 /// Writes bytes as they are; throws if that fails.
 void putFile(const std::string& path, std::string_view bytes);
 
-/// Path of a real scan: in the folder STRATASCOPE_SCANS, else in ../shared/scans beside the checkout; none if not there.
+/// Path of a real scan: in the folder STRATASCOPE_SCANS, else in ../shared/scans beside the checkout; none if
+/// not there.
 std::optional<std::string> realScan(const std::string& name);
 
 }  // namespace stratascope::test
 
 /// Leaves the test, saying so, where the real scan is not at hand.
-#define STRATASCOPE_NEED_SCAN(variable, name)                          \
-  const auto variable##Found = stratascope::test::realScan(name);      \
+#define STRATASCOPE_NEED_SCAN(variable, name)                     \
+  const auto variable##Found = stratascope::test::realScan(name); \
   if (!variable##Found) GTEST_SKIP() << "skipped: no real scans"; \
   const std::string variable = *variable##Found

@@ -11,11 +11,12 @@ namespace stratascope::test {
 
 namespace {
 
-const std::array<std::array<double, 3>, 6> kVertices = {{{1.5, 2.25, -0.5}, {1.5, 1, -0.5}, {1.5, 0, -0.5}, {1.5, 2, 0.125}, {1.5, 1, 0.25}, {1.5, 0, 0.75}}};
+const std::array<std::array<double, 3>, 6> kVertices = {
+    {{1.5, 2.25, -0.5}, {1.5, 1, -0.5}, {1.5, 0, -0.5}, {1.5, 2, 0.125}, {1.5, 1, 0.25}, {1.5, 0, 0.75}}};
 
 /// A number in any of PLY's encodings.
 class PlyWriter {
- public:
+public:
   explicit PlyWriter(PlyEncoding encoding) : encoding_(encoding) {}
   std::string body;
   template <class T>
@@ -36,11 +37,13 @@ class PlyWriter {
     return std::string("ply\nformat ") + names[static_cast<int>(encoding_)] + " 1.0\ncomment small\n";
   }
 
- private:
+private:
   PlyEncoding encoding_;
 };
 
-std::string ptxHead(const std::string& matrix) { return "2\n3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + matrix; }
+std::string ptxHead(const std::string& matrix) {
+  return "2\n3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + matrix;
+}
 
 }  // namespace
 
@@ -48,7 +51,8 @@ std::string plyFile(PlyEncoding encoding, bool doubles) {
   PlyWriter writer(encoding);
   const std::string real = doubles ? "property double " : "property float ";
   const std::string header = writer.begin() + "element vertex 6\n" + real + "x\n" + real + "y\n" + real +
-                             "z\nproperty float nx\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+                             "z\nproperty float nx\nproperty uchar red\nelement face 1\nproperty list uchar "
+                             "int vertex_indices\nend_header\n";
   for (const auto& v : kVertices) {
     for (const double c : v) doubles ? writer.put(c) : writer.put(static_cast<float>(c));
     writer.put(0.5F);
@@ -63,7 +67,9 @@ std::string plyFile(PlyEncoding encoding, bool doubles) {
 
 std::string plyRangeGrid(PlyEncoding encoding) {
   PlyWriter writer(encoding);
-  std::string header = writer.begin() + "obj_info num_cols 3\nobj_info num_rows 2\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n" +
+  std::string header = writer.begin() +
+                       "obj_info num_cols 3\nobj_info num_rows 2\nelement vertex 5\nproperty float "
+                       "x\nproperty float y\nproperty float z\n" +
                        "element range_grid 6\nproperty list uchar int vertex_indices\nend_header\n";
   for (size_t i = 0; i < 5; ++i) {
     for (const double c : kVertices[i]) writer.put(static_cast<float>(c));
@@ -78,23 +84,33 @@ std::string plyRangeGrid(PlyEncoding encoding) {
 }
 
 std::string ptxFile() {
-  return ptxHead("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") + "1 0 -0.5 0.5\n1 0 0 0.25\n0 0 0 0.5\n1 0.5 -0.5 1\n1 0.5 0 1\n1 0.5 0.5 1\n" +
-         ptxHead("0 1 0 0\n-1 0 0 0\n0 0 1 0\n5 6 7 1\n") + "2 0 -0.5 0.5\n2 0 0 0.25\n2 0 0.5 0.5\n2 0.5 -0.5 1\n0 0 0 1\n2 0.5 0.5 1\n";
+  return ptxHead("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n") +
+         "1 0 -0.5 0.5\n1 0 0 0.25\n0 0 0 0.5\n1 0.5 -0.5 1\n1 0.5 0 1\n1 0.5 0.5 1\n" +
+         ptxHead("0 1 0 0\n-1 0 0 0\n0 0 1 0\n5 6 7 1\n") +
+         "2 0 -0.5 0.5\n2 0 0 0.25\n2 0 0.5 0.5\n2 0.5 -0.5 1\n0 0 0 1\n2 0.5 0.5 1\n";
 }
 
-std::string ptsFile() { return "3\n1.5 2.5 3.5 100 1 2 3\n-1 0 0.125 5 4 5 6\n2 2 2 5 4 5 6\n"; }
+std::string ptsFile() {
+  return "3\n1.5 2.5 3.5 100 1 2 3\n-1 0 0.125 5 4 5 6\n2 2 2 5 4 5 6\n";
+}
 
 std::string polarFile() {
-  std::string text = "# polar scan\n# head_elevation_first 10\n# head_elevation_step -10\n# beam_first 0\n# beam_step 60\n# readings 11\nline,beam,range,intensity\n";
+  std::string text =
+      "# polar scan\n# head_elevation_first 10\n# head_elevation_step -10\n# beam_first 0\n# beam_step 60\n# "
+      "readings 11\nline,beam,range,intensity\n";
   for (int line = 0; line < 3; ++line)
     for (int beam = 0; beam < 4; ++beam) {
       if (line == 2 && beam == 1) continue;
-      text += std::to_string(line) + "," + std::to_string(beam) + "," + (line == 0 && beam == 2 ? "0" : "2.5") + ",7\n";
+      text += std::to_string(line) + "," + std::to_string(beam) + "," +
+              (line == 0 && beam == 2 ? "0" : "2.5") + ",7\n";
     }
   return text;
 }
 
-std::string scanGraphFile() { return "# scans\nNODE 1 2 3 0 0 0\n1 0 0\n1.5 1 0\n1 -1 0.25\nNODE 0 0 0 0 0 1.5707963267948966\n2 0 0\n2 0.5 0\n"; }
+std::string scanGraphFile() {
+  return "# scans\nNODE 1 2 3 0 0 0\n1 0 0\n1.5 1 0\n1 -1 0.25\nNODE 0 0 0 0 0 1.5707963267948966\n2 0 0\n2 "
+         "0.5 0\n";
+}
 
 std::string lasFile(const LasOptions& options) {
   constexpr std::array<unsigned, 11> kPointBytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
@@ -119,7 +135,8 @@ std::string lasFile(const LasOptions& options) {
   header[104] = static_cast<char>(options.format);
   put(105, rawBytes(static_cast<std::uint16_t>(pointBytes)));
   put(107, rawBytes(std::uint32_t{options.minor == 4 ? 0u : 4u}));
-  for (size_t axis = 0; axis < 3; ++axis) put(131 + 8 * axis, rawBytes(options.scale)), put(155 + 8 * axis, rawBytes(options.offset));
+  for (size_t axis = 0; axis < 3; ++axis)
+    put(131 + 8 * axis, rawBytes(options.scale)), put(155 + 8 * axis, rawBytes(options.offset));
   std::string points;
   for (std::int32_t i = 0; i < 4; ++i) {
     std::string point(pointBytes, '\0');
@@ -144,10 +161,15 @@ std::string lasFile(const LasOptions& options) {
 }
 
 std::string e57File(const E57Options& options) {
-  std::string logical = "ASTM-E57" + rawBytes(std::uint32_t{1}) + rawBytes(std::uint32_t{0}) + std::string(32, '\0');
+  std::string logical =
+      "ASTM-E57" + rawBytes(std::uint32_t{1}) + rawBytes(std::uint32_t{0}) + std::string(32, '\0');
   // column, row, x, y, z in mm and a state for each of six points
-  constexpr std::array<std::array<std::int32_t, 6>, 6> kRecords = {
-      {{0, 0, 2000, 100, -500, 0}, {0, 2, 2000, 100, 500, 0}, {1, 1, 2000, 0, 0, 0}, {1, 2, 2000, 0, 500, 2}, {2, 0, 2000, -100, -500, 0}, {2, 1, 2000, -100, 0, 0}}};
+  constexpr std::array<std::array<std::int32_t, 6>, 6> kRecords = {{{0, 0, 2000, 100, -500, 0},
+                                                                    {0, 2, 2000, 100, 500, 0},
+                                                                    {1, 1, 2000, 0, 0, 0},
+                                                                    {1, 2, 2000, 0, 500, 2},
+                                                                    {2, 0, 2000, -100, -500, 0},
+                                                                    {2, 1, 2000, -100, 0, 0}}};
   std::string x, y, z;
   std::uint32_t columns = 0, rows = 0, states = 0;
   for (size_t i = 0; i < kRecords.size(); ++i) {
@@ -159,22 +181,29 @@ std::string e57File(const E57Options& options) {
     rows |= static_cast<std::uint32_t>(r[1]) << (2 * i);
     states |= static_cast<std::uint32_t>(r[5]) << (2 * i);
   }
-  const std::array streams = {x, y, z, rawBytes(rows).substr(0, 2), rawBytes(columns).substr(0, 2), rawBytes(states).substr(0, 2)};
+  const std::array streams = {
+      x, y, z, rawBytes(rows).substr(0, 2), rawBytes(columns).substr(0, 2), rawBytes(states).substr(0, 2)};
   std::string packet;
   for (const std::string& s : streams) packet += rawBytes(static_cast<std::uint16_t>(s.size()));
   for (const std::string& s : streams) packet += s;
   packet.resize((packet.size() + 6 + 3) / 4 * 4 - 6);
-  packet = std::string("\1\0", 2) + rawBytes(static_cast<std::uint16_t>(packet.size() + 5)) + rawBytes(static_cast<std::uint16_t>(streams.size())) + packet;
-  logical += std::string("\1\0\0\0\0\0\0\0", 8) + rawBytes(std::uint64_t{32 + packet.size()}) + rawBytes(std::uint64_t{80}) + rawBytes(std::uint64_t{0}) + packet;
-  const std::string coordinate = R"( type="ScaledInteger" minimum="-8388608" maximum="8388607" scale="0.001"/>)";
-  const std::string prototype = options.prototype.empty()
-                                    ? "<cartesianX" + coordinate + "<cartesianY" + coordinate + "<cartesianZ" + coordinate +
-                                          R"(<rowIndex type="Integer" minimum="0" maximum="3"/><columnIndex type="Integer" minimum="0" maximum="3"/>)" +
-                                          R"(<cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)"
-                                    : options.prototype;
-  std::string xml = R"(<?xml version="1.0" encoding="UTF-8"?>)" + options.xmlPrefix + R"(<e57Root type="Structure"><data3D type="Vector">)";
+  packet = std::string("\1\0", 2) + rawBytes(static_cast<std::uint16_t>(packet.size() + 5)) +
+           rawBytes(static_cast<std::uint16_t>(streams.size())) + packet;
+  logical += std::string("\1\0\0\0\0\0\0\0", 8) + rawBytes(std::uint64_t{32 + packet.size()}) +
+             rawBytes(std::uint64_t{80}) + rawBytes(std::uint64_t{0}) + packet;
+  const std::string coordinate =
+      R"( type="ScaledInteger" minimum="-8388608" maximum="8388607" scale="0.001"/>)";
+  const std::string prototype =
+      options.prototype.empty()
+          ? "<cartesianX" + coordinate + "<cartesianY" + coordinate + "<cartesianZ" + coordinate +
+                R"(<rowIndex type="Integer" minimum="0" maximum="3"/><columnIndex type="Integer" minimum="0" maximum="3"/>)" +
+                R"(<cartesianInvalidState type="Integer" minimum="0" maximum="2"/>)"
+          : options.prototype;
+  std::string xml = R"(<?xml version="1.0" encoding="UTF-8"?>)" + options.xmlPrefix +
+                    R"(<e57Root type="Structure"><data3D type="Vector">)";
   for (int i = 0; i < options.times; ++i)
-    xml += R"(<vectorChild type="Structure">)" + options.pose + options.bounds + "<points " + options.pointsAttributes + R"(><prototype type="Structure">)" + prototype +
+    xml += R"(<vectorChild type="Structure">)" + options.pose + options.bounds + "<points " +
+           options.pointsAttributes + R"(><prototype type="Structure">)" + prototype +
            R"(</prototype><codecs type="Vector">)" + options.codecs + "</codecs></points></vectorChild>";
   xml += "</data3D></e57Root>";
   const std::uint64_t xmlAt = logical.size();

@@ -10,7 +10,8 @@
 
 namespace stratascope::test {
 
-/// Small valid files of the formats the program reads, made byte by byte so that tests need no writer to trust.
+/// Small valid files of the formats the program reads, made byte by byte so that tests need no writer to
+/// trust.
 
 /// 2 × 3 vertices with a normal, a colour and a doubled precision if asked; then one face.
 std::string plyFile(PlyEncoding encoding, bool doubles = false);
@@ -29,8 +30,8 @@ struct LasOptions {
   int format = 3;
   double scale = 0.01;
   double offset = 0;
-  bool record = true;          ///< a GeoTIFF record that says: metres
-  bool extendedRecord = false; ///< one after the points, 1.4 only
+  bool record = true;           ///< a GeoTIFF record that says: metres
+  bool extendedRecord = false;  ///< one after the points, 1.4 only
 };
 /// Four points, the third withheld.
 std::string lasFile(const LasOptions& options = {});
@@ -41,8 +42,10 @@ struct E57Options {
   std::string pointsAttributes = R"(type="CompressedVector" fileOffset="48" recordCount="6")";
   std::string prototype = {};  ///< empty = the usual one
   std::string codecs = {};
-  std::string pose = R"(<pose type="Structure"><rotation type="Structure"><w type="Float">1</w></rotation><translation type="Structure"><x type="Float">1</x><y type="Float">2</y></translation></pose>)";
-  std::string bounds = R"(<indexBounds type="Structure"><rowMaximum type="Integer">2</rowMaximum><columnMaximum type="Integer">2</columnMaximum></indexBounds>)";
+  std::string pose =
+      R"(<pose type="Structure"><rotation type="Structure"><w type="Float">1</w></rotation><translation type="Structure"><x type="Float">1</x><y type="Float">2</y></translation></pose>)";
+  std::string bounds =
+      R"(<indexBounds type="Structure"><rowMaximum type="Integer">2</rowMaximum><columnMaximum type="Integer">2</columnMaximum></indexBounds>)";
   bool checksums = true;
   int times = 1;  ///< how often the scan is named
 };
