@@ -107,8 +107,16 @@ TEST(StreamFaults, EveryFaultIsCountedAndNothingWrongIsShown) {
       // More only if the scanner, closed at its end, was already called again.
       EXPECT_GE(static_cast<size_t>(proxy.injected()), lines.size());
       EXPECT_EQ(c.missing, row.lost * n);
-      EXPECT_EQ(c.received, kLines - row.lost * n);
-      EXPECT_EQ(heard.lines.size(), c.received);
+      EXPECT_EQ(heard.lines.size(), kLines - row.lost * n);
+      if (row.powerOn) {
+        // A scanner that was told to go on just as it ended begins again, and is heard before the counters are
+        // read.
+        EXPECT_GE(c.received, kLines);
+        EXPECT_GE(c.powerOns, n);
+      } else {
+        EXPECT_EQ(c.received, kLines - row.lost * n);
+        EXPECT_EQ(c.powerOns, 0u);
+      }
       if (row.fault != Fault::FlipFrame) {
         EXPECT_EQ(c.badCrc, row.badCrc * n);
       }
@@ -116,7 +124,6 @@ TEST(StreamFaults, EveryFaultIsCountedAndNothingWrongIsShown) {
       EXPECT_EQ(c.duplicated, row.duplicated * n);
       EXPECT_EQ(c.outOfOrder, row.outOfOrder * n);
       EXPECT_EQ(c.naks, row.nak * n);
-      EXPECT_EQ(c.powerOns, row.powerOn * n);
       EXPECT_EQ(c.connections, row.reconnected * n + 1);
       EXPECT_EQ(c.dropped, 0u);
 
