@@ -16,7 +16,6 @@
 #include "interop/peers.h"
 #include "io/labelled_cloud.h"
 #include "io/scan_io.h"
-#include "segment/visible_pieces.h"
 #include "sim/scan_simulator.h"
 
 namespace stratascope::cli {

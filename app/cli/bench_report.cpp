@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/json_value.h"
 #include "app/cli/text_table.h"
 
 namespace stratascope::cli {
@@ -98,11 +99,6 @@ std::string goalsTable(const std::vector<BenchGoal>& goals) {
 Json normalsJson(const std::optional<NormalQuality>& q) {
   if (!q) return nullptr;
   return {{"median_deg", q->medianDeg}, {"ninety_percent_deg", q->ninetyDeg}, {"within_10_deg", q->within10}};
-}
-
-template <class T>
-Json orNull(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "base/units.h"
 #include "io/scan_io.h"
 #include "layers/point_layer.h"
-#include "layers/range_noise.h"
 #include "scan/scan_summary.h"
 
 namespace stratascope::cli {
@@ -40,7 +39,7 @@ Json latticeJson(const Scan& scan) {
 /// The scan's own range noise, metres; NaN where too few returns tell, or where the lattice was made by
 /// projection, so that its lines are no lines of a scanner.
 double rangeNoise(const Scan& scan) {
-  return scan.unordered() ? kNaN : estimateRangeNoise(computePoints(scan, {})).overall();
+  return scan.unordered() ? kNaN : computePoints(scan, {}).noise.overall();
 }
 
 Json asJson(const Scan& scan, const ScanSummary& summary) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/json_value.h"
 #include "app/cli/score_table.h"
 #include "app/cli/text_table.h"
 #include "base/units.h"
@@ -37,10 +38,6 @@ Status splitTruth(const std::string& path, const LabelledCloud& found, double ov
   return success();
 }
 
-Json numberOrNull(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 std::string asJson(const SegmentationScore& score, double overlap) {
   Json document = {{"overlap", overlap},
                    {"truth_regions", score.truthRegions},
@@ -51,12 +48,12 @@ std::string asJson(const SegmentationScore& score, double overlap) {
                    {"missed", score.missed},
                    {"noise", score.noise},
                    {"share", score.share},
-                   {"plane_angle_mean_deg", numberOrNull(score.planeAngleMeanDeg)},
-                   {"plane_angle_median_deg", numberOrNull(score.planeAngleMedianDeg)},
-                   {"plane_angle_max_deg", numberOrNull(score.planeAngleMaxDeg)},
-                   {"normal_angle_median_deg", numberOrNull(score.normalMedianDeg)},
-                   {"normal_angle_90_deg", numberOrNull(score.normal90Deg)},
-                   {"normal_within_10_deg", numberOrNull(score.normalWithin10)},
+                   {"plane_angle_mean_deg", orNull(score.planeAngleMeanDeg)},
+                   {"plane_angle_median_deg", orNull(score.planeAngleMedianDeg)},
+                   {"plane_angle_max_deg", orNull(score.planeAngleMaxDeg)},
+                   {"normal_angle_median_deg", orNull(score.normalMedianDeg)},
+                   {"normal_angle_90_deg", orNull(score.normal90Deg)},
+                   {"normal_within_10_deg", orNull(score.normalWithin10)},
                    {"normal_points", score.normalPixels},
                    {"normal_points_found", score.normalPixelsFound}};
   Json& pairs = document["pairs"] = Json::array();
@@ -64,7 +61,7 @@ std::string asJson(const SegmentationScore& score, double overlap) {
     pairs.push_back({{"truth", pair.truth},
                      {"found", pair.found},
                      {"points", pair.overlap},
-                     {"angle_deg", numberOrNull(pair.angleErrorDeg)}});
+                     {"angle_deg", orNull(pair.angleErrorDeg)}});
   return document.dump(2) + '\n';
 }
 

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/json_value.h"
 #include "app/cli/progress.h"
 #include "app/cli/text_table.h"
 #include "base/units.h"
@@ -16,10 +17,6 @@ namespace stratascope::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numberOrNull(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 std::string number(const std::optional<double>& value, int decimals) {
   return fixed(value.value_or(kNaN), decimals);
@@ -61,14 +58,14 @@ Json rowJson(const ScoreRow& r, bool withNormals) {
               {"noise", r.noise},
               {"noise_small", r.noiseSmall},
               {"share", r.share},
-              {"plane_angle_mean_deg", numberOrNull(r.planeAngleMeanDeg)},
+              {"plane_angle_mean_deg", orNull(r.planeAngleMeanDeg)},
               {"seconds", r.seconds},
               {"normal_seconds", r.normalSeconds}};
   if (withNormals) {
     row["normal_points"] = r.normals.pixels;
-    row["normal_angle_median_deg"] = numberOrNull(r.normals.quantileDeg(0.5));
-    row["normal_angle_90_deg"] = numberOrNull(r.normals.quantileDeg(0.9));
-    row["normal_within_10_deg"] = numberOrNull(r.normals.shareWithin(10));
+    row["normal_angle_median_deg"] = orNull(r.normals.quantileDeg(0.5));
+    row["normal_angle_90_deg"] = orNull(r.normals.quantileDeg(0.9));
+    row["normal_within_10_deg"] = orNull(r.normals.shareWithin(10));
   }
   return row;
 }

@@ -5,23 +5,12 @@
 
 #include "io/export.h"
 #include "layers/surface_class.h"
+#include "segment/edges.h"
 
 namespace stratascope {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* kindName(EdgeKind kind) {
-  switch (kind) {
-    case EdgeKind::Convex:
-      return "convex";
-    case EdgeKind::Concave:
-      return "concave";
-    case EdgeKind::Jump:
-      return "jump";
-  }
-  return "";
-}
 
 /// JSON has no NaN and no infinity.
 Json number(double value) {
@@ -75,7 +64,7 @@ std::string edgesJson(const Snapshot& snapshot) {
     if (!snapshot.scans[scan].edges) continue;
     for (const Edge& edge : snapshot.scans[scan].edges->edges) {
       Json item;
-      item["kind"] = kindName(edge.kind);
+      item["kind"] = edgeKindName(edge.kind);
       item["vertical"] = edge.vertical;
       item["from"] = vector(edge.from);
       item["to"] = vector(edge.to);

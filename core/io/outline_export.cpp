@@ -8,6 +8,7 @@
 
 #include "io/number_text.h"
 #include "layers/surface_class.h"
+#include "segment/edges.h"
 
 namespace stratascope {
 namespace {
@@ -16,18 +17,6 @@ using Json = nlohmann::ordered_json;
 
 /// |z| of a normal below which a plane counts as upright: sin 6°.
 constexpr double kUpright = 0.1045;
-
-const char* kindName(EdgeKind kind) {
-  switch (kind) {
-    case EdgeKind::Convex:
-      return "convex";
-    case EdgeKind::Concave:
-      return "concave";
-    case EdgeKind::Jump:
-      return "jump";
-  }
-  return "";
-}
 
 template <class Call>
 void forEachPlane(const Snapshot& snapshot, Call call) {
@@ -163,7 +152,7 @@ Json edgeFeature(const Edge& edge, size_t scan) {
           {"geometry",
            {{"type", "LineString"}, {"coordinates", Json::array({position(edge.from), position(edge.to)})}}},
           {"properties",
-           {{"kind", std::string(kindName(edge.kind)) + " edge"},
+           {{"kind", std::string(edgeKindName(edge.kind)) + " edge"},
             {"vertical", edge.vertical},
             {"points", edge.points},
             {"sigma", number(edge.sigma)},
@@ -191,7 +180,7 @@ std::string edgesCsv(const Snapshot& snapshot) {
   std::string text = "kind,vertical,from_x,from_y,from_z,to_x,to_y,to_z,points,sigma,scan\n";
   forEachEdge(snapshot, [&](const Edge& edge, size_t scan) {
     CsvLine line;
-    line.add(std::string(kindName(edge.kind))), line.add(std::string(edge.vertical ? "true" : "false"));
+    line.add(std::string(edgeKindName(edge.kind))), line.add(std::string(edge.vertical ? "true" : "false"));
     line.add(edge.from), line.add(edge.to), line.addCount(edge.points), line.add(edge.sigma),
         line.addCount(scan);
     text += line.end();
@@ -228,7 +217,7 @@ std::string outlinesDxf(const Snapshot& snapshot, const Provenance& provenance) 
     group(dxf, 0, "SEQEND"), group(dxf, 8, layer);
   });
   forEachEdge(snapshot, [&](const Edge& edge, size_t) {
-    group(dxf, 0, "LINE"), group(dxf, 8, upperCase(kindName(edge.kind)) + "_EDGE");
+    group(dxf, 0, "LINE"), group(dxf, 8, upperCase(edgeKindName(edge.kind)) + "_EDGE");
     point(dxf, edge.from);
     point(dxf, edge.to, 11);
   });

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/units.h"
+#include "segment/contacts.h"
 
 namespace stratascope {
 
@@ -29,25 +30,11 @@ using Contacts = std::map<std::pair<PlaneLabel, PlaneLabel>, std::vector<Eigen::
 
 Contacts findContacts(const PointImage& points, const PlaneImage& planes) {
   Contacts contacts;
-  const Grid<PlaneLabel>& labels = planes.labels;
-  constexpr int kReach = 3;  // neurons right on a crease are often of no plane
-  for (int i = 0; i < labels.rows(); ++i)
-    for (int j = 0; j < labels.cols(); ++j) {
-      const PlaneLabel a = labels({i, j});
-      if (a == kNoPlane) continue;
-      for (const GridIndex step : {GridIndex{0, 1}, GridIndex{1, 0}})
-        for (int reach = 1; reach <= kReach; ++reach) {
-          const GridIndex to{i + reach * step.row, j + reach * step.col};
-          if (!labels.contains(to)) break;
-          const PlaneLabel b = labels(to);
-          if (b == a) break;
-          if (b == kNoPlane) continue;
-          auto& list = contacts[std::minmax(a, b)];
-          list.push_back(points.points({i, j}).cast<double>());
-          list.push_back(points.points(to).cast<double>());
-          break;
-        }
-    }
+  forEachContact(planes.labels, kNoPlane, [&](GridIndex from, GridIndex to) {
+    auto& list = contacts[std::minmax(planes.labels(from), planes.labels(to))];
+    list.push_back(points.points(from).cast<double>());
+    list.push_back(points.points(to).cast<double>());
+  });
   return contacts;
 }
 
@@ -181,6 +168,18 @@ void addJumps(const PointImage& points, const ClassImage& classes, bool acrossBe
 }
 
 }  // namespace
+
+const char* edgeKindName(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::Convex:
+      return "convex";
+    case EdgeKind::Concave:
+      return "concave";
+    case EdgeKind::Jump:
+      return "jump";
+  }
+  return "";
+}
 
 EdgeSet computeEdges(const PointImage& points, const ClassImage& classes, const PlaneImage& planes,
                      double angleToleranceDeg, const Execution& execution) {

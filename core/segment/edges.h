@@ -13,4 +13,7 @@ namespace stratascope {
 EdgeSet computeEdges(const PointImage& points, const ClassImage& classes, const PlaneImage& planes,
                      double angleToleranceDeg, const Execution& execution = {});
 
+/// "convex", "concave", "jump": the words of edges.json and of the exports.
+const char* edgeKindName(EdgeKind kind);
+
 }  // namespace stratascope

@@ -34,8 +34,7 @@ public:
   struct Rules {
     double chiSquare =
         0;  ///< growth of the measured squared error that noise alone explains (3 degrees of freedom)
-    double disagreement = 0;  ///< mean squared disagreement of local planes that their own errors explain
-    double flatness = 0;      ///< further growth per neuron of the smaller region: real surfaces are not flat
+    double disagreement = 0;      ///< mean squared disagreement of local planes that their own errors explain
     double cosLargestAngle = -1;  ///< mean normals farther apart than this never join
   };
 

@@ -22,14 +22,12 @@ struct PlaneRegions {
 
 /// Layer 4 of the network, in the sensor's frame throughout (see RangePlaneSums):
 /// 1. patches: neighbouring neurons of one small block whose normals and planes agree
-/// 2. neighbouring patches join in order of how little the squared range error grows, measured in the scan's
-/// own noise,
-///    as long as noise explains the growth (χ² with 3 degrees of freedom, plus the flatness surfaces really
-///    have)
+/// 2. neighbouring patches join in order of how little their local planes disagree, as long as the scan's own
+///    noise explains it (χ² with 3 degrees of freedom), and the unevenness surfaces really have
 /// 3. neurons at borders and without a normal choose among their neighbours' planes, synchronously, by range
-/// error and by
-///    how many neighbours agree
+///    error and by how many neighbours agree
 /// 4. regions their neighbours explain as well, curved regions and regions below minPlanePoints are given up
+/// 5. pieces of one uneven surface join (see uneven.h)
 PlaneRegions growPlaneRegions(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
                               const Execution& execution = {});
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/units.h"
+#include "segment/contacts.h"
 
 namespace stratascope {
 
@@ -27,28 +28,17 @@ struct Border {
 using Pair = std::pair<std::int32_t, std::int32_t>;
 
 std::map<Pair, Border> bordersOf(const Neurons& neurons, const PlaneRegions& regions) {
-  constexpr int kReach = 3;  // neurons right at a border are often of no plane
   const Grid<std::int32_t>& region = regions.region;
   std::map<Pair, Border> borders;
-  for (int i = 0; i < region.rows(); ++i)
-    for (int j = 0; j < region.cols(); ++j) {
-      const std::int32_t a = region({i, j});
-      if (a == kNoRegion) continue;
-      for (const GridIndex step : {GridIndex{0, 1}, GridIndex{1, 0}})
-        for (int reach = 1; reach <= kReach; ++reach) {
-          const GridIndex to{i + reach * step.row, j + reach * step.col};
-          if (!region.contains(to) || region(to) == a) break;
-          const std::int32_t b = region(to);
-          if (b == kNoRegion) continue;
-          const Eigen::Vector3d middle = 0.5 * (neurons.q({i, j}) + neurons.q(to));
-          const double difference = regions.planes[static_cast<size_t>(a)].distance(middle) -
-                                    regions.planes[static_cast<size_t>(b)].distance(middle);
-          Border& border = borders[std::minmax(a, b)];
-          border.n += 1;
-          border.squares += difference * difference;
-          break;
-        }
-    }
+  forEachContact(region, kNoRegion, [&](GridIndex from, GridIndex to) {
+    const std::int32_t a = region(from), b = region(to);
+    const Eigen::Vector3d middle = 0.5 * (neurons.q(from) + neurons.q(to));
+    const double difference = regions.planes[static_cast<size_t>(a)].distance(middle) -
+                              regions.planes[static_cast<size_t>(b)].distance(middle);
+    Border& border = borders[std::minmax(a, b)];
+    border.n += 1;
+    border.squares += difference * difference;
+  });
   return borders;
 }
 

@@ -12,8 +12,8 @@
 #include "base/units.h"
 #include "layers/point_layer.h"
 #include "scan/scan_builder.h"
+#include "sim/random_room.h"
 #include "sim/scan_simulator.h"
-#include "support/random_room.h"
 #include "support/simple_scenes.h"
 
 namespace stratascope {
@@ -78,7 +78,7 @@ class FurnishedRooms : public ::testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(FurnishedRooms, RegressionIsRightUnderNoiseAndFarBetterThanTheClosestNeighbours) {
   const SimulatedScan scan =
-      simulateScan(test::randomRoom(GetParam()), {.seed = GetParam(), .sigma = 0.005, .systematic = 0});
+      simulateScan(randomRoom(GetParam()), {.seed = GetParam(), .sigma = 0.005, .systematic = 0});
   const auto everywhere = [](size_t) { return true; };
   Errors e[3];
   for (size_t i = 0; i < 3; ++i) e[i] = errorsOf(scan, normalsOf(scan, kEstimators[i]), everywhere);
@@ -90,7 +90,7 @@ TEST_P(FurnishedRooms, RegressionIsRightUnderNoiseAndFarBetterThanTheClosestNeig
 INSTANTIATE_TEST_SUITE_P(Seeds, FurnishedRooms, ::testing::Values(101u, 102u, 103u));
 
 TEST(Normals, AreUnitTowardTheSensorAndMissingWhereNothingCameBack) {
-  Scene scene = test::randomRoom(7);
+  Scene scene = randomRoom(7);
   scene.scanner.lines = 140, scene.scanner.beams = 121;
   for (Scene::Item& item : scene.items) item.dropOut = 0.03;
   const SimulatedScan scan = simulateScan(scene, {.seed = 7});
@@ -142,7 +142,7 @@ TEST(Normals, NoNeighbourInTheShellGivesNoNormal) {
 }
 
 TEST(Normals, OneAndTwoThreadsGiveTheSameBits) {
-  Scene scene = test::randomRoom(9);
+  Scene scene = randomRoom(9);
   scene.scanner.lines = 130, scene.scanner.beams = 181;
   const SimulatedScan scan = simulateScan(scene, {.seed = 9});
   for (const NormalEstimator estimator : kEstimators) {
@@ -158,7 +158,7 @@ TEST(Normals, OneAndTwoThreadsGiveTheSameBits) {
 
 TEST(Normals, TurnWithTheRoom) {
   // the same scan in a map turned about the vertical: the normals turn along, to rounding
-  Scene scene = test::randomRoom(11);
+  Scene scene = randomRoom(11);
   scene.scanner.lines = 130, scene.scanner.beams = 181;
   SimulatedScan scan = simulateScan(scene, {.seed = 11});
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d::UnitZ()).toRotationMatrix();

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "scan/scan_builder.h"
+#include "sim/random_room.h"
 #include "sim/scan_simulator.h"
-#include "support/random_room.h"
 #include "support/same_snapshot.h"
 #include "support/simple_scenes.h"
 
@@ -19,7 +19,7 @@ namespace {
 using test::expectSameProducts;
 
 ScanPtr roomScan(std::uint64_t seed, int lines = 130, int beams = 121) {
-  Scene scene = test::randomRoom(seed);
+  Scene scene = randomRoom(seed);
   scene.scanner.lines = lines, scene.scanner.beams = beams;
   return std::make_shared<const Scan>(simulateScan(scene, {.seed = seed}).scan);
 }

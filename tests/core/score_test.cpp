@@ -8,8 +8,8 @@
 #include <random>
 
 #include "base/units.h"
+#include "sim/random_room.h"
 #include "sim/scan_simulator.h"
-#include "support/random_room.h"
 
 namespace stratascope {
 namespace {
@@ -237,7 +237,7 @@ TEST_F(ScoreAngles, WithoutAnyNormalOrRegionNothingIsMadeUp) {
 
 // The truth of a room scores as perfect, and planes fitted to its noisy points come close to the true ones.
 TEST(Score, TruthOfASimulatedRoomIsPerfect) {
-  Scene scene = test::randomRoom(3);
+  Scene scene = randomRoom(3);
   scene.scanner.lines = 172;
   scene.scanner.beams = 181;
   const SimulatedScan simulated = simulateScan(scene, {.seed = 3});

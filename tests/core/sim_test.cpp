@@ -10,9 +10,9 @@
 #include "base/units.h"
 #include "scan/scanner_geometry.h"
 #include "sim/counter_noise.h"
+#include "sim/random_room.h"
 #include "sim/scan_simulator.h"
 #include "sim/truth_export.h"
-#include "support/random_room.h"
 
 namespace stratascope {
 namespace {
@@ -88,7 +88,7 @@ TEST(Simulate, TruthRangesOfARoomFollowTheClosedForm) {
 
 TEST(Simulate, TruthPointsLieOnTheirPlanesAndNormalsFaceTheSensor) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Scene scene = test::randomRoom(seed);
+    Scene scene = randomRoom(seed);
     scene.scanner.lines = 103;
     scene.scanner.beams = 181;
     const SimulatedScan s = simulateScan(scene, {.seed = seed});
@@ -283,7 +283,7 @@ TEST(Simulate, MixedPixelsAppearAtDepthStepsOnly) {
 }
 
 TEST(Simulate, SameBitsForAnyNumberOfThreadsAndOtherBitsForOtherSeeds) {
-  Scene scene = test::randomRoom(5);
+  Scene scene = randomRoom(5);
   scene.scanner.lines = 129;
   scene.scanner.beams = 121;
   scene.items[0].dropOut = 0.05;
@@ -331,8 +331,8 @@ TEST(TruthPcd, HeaderAndBytes) {
 
 TEST(RandomRoom, EqualSeedsEqualRoomsAndEnoughToSegment) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Scene scene = test::randomRoom(seed);
-    ASSERT_EQ(scene.items.size(), test::randomRoom(seed).items.size());
+    Scene scene = randomRoom(seed);
+    ASSERT_EQ(scene.items.size(), randomRoom(seed).items.size());
     scene.scanner.lines = 103;
     scene.scanner.beams = 181;  // a tenth of the neurons
     const SimulatedScan s = simulateScan(scene, {.noise = NoiseModel::None});

@@ -9,8 +9,8 @@
 #include <mutex>
 
 #include "scan/scan_builder.h"
+#include "sim/random_room.h"
 #include "sim/scan_simulator.h"
-#include "support/random_room.h"
 #include "support/same_snapshot.h"
 
 namespace stratascope {
@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 ScanPtr roomScan(std::uint64_t seed, int lines = 130, int beams = 121) {
-  Scene scene = test::randomRoom(seed);
+  Scene scene = randomRoom(seed);
   scene.scanner.lines = lines, scene.scanner.beams = beams;
   return std::make_shared<const Scan>(simulateScan(scene, {.seed = seed}).scan);
 }

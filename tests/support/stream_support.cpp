@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/random_room.h"
 #include "sim/scan_simulator.h"
-#include "support/random_room.h"
 
 namespace stratascope::test {
 namespace {
