@@ -52,7 +52,7 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
   size_t kept = 0;
   for (float r : image.range.values()) kept += std::isnan(r) ? 0 : 1;
   image.ownBody = image.range.size() - scan.lattice->missingCount() - kept;
-  image.noise = estimateRangeNoise(image, execution);
+  image.noise = estimateRangeNoise(image, measured, execution);
   image.steps = measureLatticeSteps(image, execution);
   return image;
 }

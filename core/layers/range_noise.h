@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "base/grid.h"
 #include "base/parallel_rows.h"
 
 namespace stratascope {
@@ -16,7 +18,9 @@ struct PointImage;
 
 /// The scan's own range noise, estimated from the scan: along a line over a plane the inverse range is a
 /// sinusoid of the beam angle, so its second difference is noise. Robust (median of absolute values), by
-/// distance, since some sensors err in proportion to r² (structured light) and others do not.
+/// distance, since some sensors err in proportion to r² (structured light) and others do not. Where ranges or
+/// coordinates come in steps wider than that (disparities; ranges in whole centimetres), neighbours are often
+/// equal and a second difference cannot tell: there half a step is the least.
 class RangeNoise {
 public:
   /// Standard deviation of a range at distance r, metres, never below kFloor.
@@ -35,7 +39,7 @@ public:
   static constexpr double kRoughness = 1.5e-3;  ///< of surfaces themselves, across the surface, metres
 
 private:
-  friend RangeNoise estimateRangeNoise(const PointImage&, const Execution&);
+  friend RangeNoise estimateRangeNoise(const PointImage&, const Grid<Eigen::Vector3f>&, const Execution&);
   static constexpr int kBins = 24;
   std::array<double, kBins> variance_{};
   double overall_ = 0;
@@ -48,6 +52,9 @@ private:
   }
 };
 
-RangeNoise estimateRangeNoise(const PointImage& points, const Execution& execution = {});
+/// measured: the same neurons' points in the frame they were measured in, whose axes a depth camera's steps
+/// follow.
+RangeNoise estimateRangeNoise(const PointImage& points, const Grid<Eigen::Vector3f>& measured,
+                              const Execution& execution = {});
 
 }  // namespace stratascope

@@ -104,14 +104,44 @@ TEST(RangeNoise, IsReadOffTheScan) {
   for (const double sigma : {0.002, 0.005, 0.02}) {
     const SimulatedScan scan = simulateScan(room, {.seed = 2, .sigma = sigma, .systematic = 0});
     const PointImage points = computePoints(scan.scan, {});
-    const RangeNoise noise = estimateRangeNoise(points, {1}), again = estimateRangeNoise(points, {2});
+    const RangeNoise noise = points.noise, again = estimateRangeNoise(points, points.points, {2});
     EXPECT_NEAR(noise.overall() / sigma, 1, 0.1) << sigma;
     EXPECT_NEAR(noise.sigmaAt(5) / sigma, 1, 0.25) << sigma;
     for (const double r : {0.1, 1.0, 3.0, 6.0, 50.0}) EXPECT_EQ(noise.sigmaAt(r), again.sigmaAt(r));
   }
   const SimulatedScan exact = simulateScan(room, {.noise = NoiseModel::None});
-  EXPECT_LT(estimateRangeNoise(computePoints(exact.scan, {})).sigmaAt(5), 1e-3);
-  EXPECT_GE(estimateRangeNoise(computePoints(exact.scan, {})).sigmaAt(5), RangeNoise::kFloor);
+  EXPECT_LT(computePoints(exact.scan, {}).noise.sigmaAt(5), 1e-3);
+  EXPECT_GE(computePoints(exact.scan, {}).noise.sigmaAt(5), RangeNoise::kFloor);
+}
+
+TEST(RangeNoise, KnowsStepsThatHideIt) {
+  // A camera that measures whole disparities: most neighbours have the same depth, and only steps tell.
+  const SimulatedScan exact = simulateScan(test::plainRoom(), {.noise = NoiseModel::None});
+  const double disparity = 0.003;  // of inverse depth; a step of 0.003 d² at depth d
+  Grid<Eigen::Vector3f> points = exact.scan.lattice->points();
+  for (Eigen::Vector3f& p : points.values()) {
+    const double depth = std::abs(p.x()), whole = std::round(1 / depth / disparity);
+    if (whole > 0) p *= static_cast<float>(1 / (whole * disparity) / depth);
+  }
+  Scan scan = exact.scan;
+  scan.lattice = ScanLattice(points);
+  const RangeNoise noise = computePoints(scan, {}).noise;
+  // The bin of 3 m reaches from 2.83 to 4 m; depth is less than range.
+  EXPECT_GT(noise.sigmaAt(3), 0.003 * 1.5 * 1.5 / 2);
+  EXPECT_LT(noise.sigmaAt(3), 0.003 * 4 * 4 / 2);
+  EXPECT_GT(noise.overall(), 1e-3);
+}
+
+TEST(RangeNoise, OfWholeCentimetresIsTheirs) {
+  const SimulatedScan exact = simulateScan(test::plainRoom(), {.noise = NoiseModel::None});
+  Grid<Eigen::Vector3f> points = exact.scan.lattice->points();
+  for (Eigen::Vector3f& p : points.values()) {
+    const double r = p.cast<double>().norm();
+    if (std::isfinite(r)) p *= static_cast<float>(std::round(100 * r) / (100 * r));
+  }
+  Scan scan = exact.scan;
+  scan.lattice = ScanLattice(points);
+  EXPECT_NEAR(computePoints(scan, {}).noise.sigmaAt(3), 0.005, 1e-3);
 }
 
 TEST(LatticeSteps, AreTheScannersOwn) {
