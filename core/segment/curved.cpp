@@ -85,6 +85,7 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
       0.5;  // metres: a strip of a pipe or pillar bends so much that less tells it…
   constexpr double kSurelyBent = 28;  // …χ² that chance does not save with three coefficients
   constexpr double kHardlyNoticeable = 0.04;
+  constexpr double kRarelyChance = 16;    // χ² that chance saves so once in a thousand
   constexpr double kNoMatter = 0.05;      // χ² a neuron by which the bend around may suit the region worse
   constexpr double kFitsWell = 2.0;       // χ² a neuron up to which the quadratic counts as an explanation
   constexpr int kAround = 4;              // neurons
@@ -136,12 +137,15 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
     }
     if (wide.n < kNarrowGrowth * own.n) continue;
     const Verdict together = judge(wide);
-    curved[l] =
-        together.known && together.radius < kLargestRadius &&
-        together.planeError > 2 * together.quadraticError &&
-        together.planeError - together.quadraticError > kSignificant &&
+    const bool explained =
+        together.radius < kLargestRadius && together.planeError - together.quadraticError > kSignificant &&
         together.quadraticError < kFitsWell * wide.n &&
         own.errorOf(together.coefficients) - inside.planeError < std::max(kSignificant, kNoMatter * own.n);
+    // Farther around a pipe than a quadratic follows; but strip and surroundings both bend as pipes do.
+    const bool bothBend =
+        inside.radius < kPipeRadius && saved > kRarelyChance && together.radius < kPipeRadius;
+    curved[l] = inside.known && together.known && together.planeError > 2 * together.quadraticError &&
+                (explained || bothBend);
   }
   return curved;
 }
