@@ -95,33 +95,40 @@ private:
   bool hasReturn(GridIndex at) const { return image_.range(at) == image_.range(at); }
   Eigen::Vector3d q(GridIndex at) const { return image_.points(at).cast<double>() - image_.sensor; }
 
-  // The largest window, one for 2 × 2 neurons that lie close together: theirs would hardly differ.
+  // The largest window, one for a neuron and the eight around it that lie close to it: theirs would hardly
+  // differ.
   void shareLargest(const Execution& execution) {
     eachBand(execution, [&](int first, int end, const WindowSums& sums) {
-      parallelRows((end - first + 1) / 2, execution, [&](int begin, int stop) {
-        for (int i = first + 2 * begin; i < std::min(end, first + 2 * stop); i += 2)
-          for (int j = 0; j < image_.range.cols(); j += 2) shareLargest({i, j}, std::min(end, i + 2), sums);
-      });
+      parallelRows((end - first + 2) / 3, execution,
+                   [&](int begin, int stop) {
+                     for (int i = first + 3 * begin; i < std::min(end, first + 3 * stop); i += 3)
+                       for (int j = 0; j < image_.range.cols(); j += 3) shareLargest({i, j}, end, sums);
+                   },
+                   8);
     });
   }
 
   void shareLargest(GridIndex corner, int endLine, const WindowSums& sums) {
-    const double close = 0.5 * params_.epsilon2;  // metres
+    const double close = 0.25 * params_.epsilon1;  // metres: a window moved by a quarter of its reach
     GridIndex leader{-1, -1};
     std::optional<Fit> fit;
-    for (int i = corner.row; i < endLine; ++i)
-      for (int j = corner.col; j < std::min(image_.range.cols(), corner.col + 2); ++j) {
-        const GridIndex at{i, j};
-        if (!hasReturn(at)) continue;
-        const bool follows = leader.row >= 0 && (image_.points(at) - image_.points(leader)).norm() < close;
-        if (!follows) {
-          leader = at;
-          half_(at) = largestHalf(at);
-          fit = fitWindow(at, {1, 1}, sums);
-        }
-        half_(at) = half_(leader);
-        if (fit && ownDisagreement(beam(at), fit->local) < 1) take(at, {1, 1}, fit->local);
+    // The middle one first. Whoever is not close to the leader so far leads those after it.
+    static constexpr std::array<GridIndex, 9> kOrder = {
+        {{1, 1}, {0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}};
+    for (const GridIndex& step : kOrder) {
+      const GridIndex at{corner.row + step.row, corner.col + step.col};
+      if (at.row >= endLine || at.col >= image_.range.cols() || !hasReturn(at)) continue;
+      const bool follows =
+          leader.row >= 0 && (image_.points(at) - image_.points(leader)).squaredNorm() < close * close;
+      if (!follows) {
+        leader = at;
+        half_(at) = largestHalf(at);
+        fit = fitWindow(at, {1, 1}, sums);
       }
+      const bool fits = fit && ownDisagreement(beam(at), fit->local) < 1;
+      if (follows) half_(at) = fits ? half_(leader) : largestHalf(at);
+      if (fits) take(at, {1, 1}, fit->local);
+    }
   }
 
   // Neurons without a normal; those whose neighbours lie beyond ε1 never get one.
