@@ -46,7 +46,8 @@ private:
           Sides& sides = parts[static_cast<size_t>(begin / kRows)];
           Pair lastPair{kNoRegion, kNoRegion};
           Side* last = nullptr;
-          const int stride = std::max(1, inside / 7);  // farther inside there are more to ask
+          const int stride =
+              2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
           for (int i = begin; i < end; i += stride) {
             const std::int32_t* row = region.row(i).data();
             const std::int32_t *above = i >= inside ? region.row(i - inside).data() : row,

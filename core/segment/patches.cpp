@@ -16,7 +16,7 @@ namespace {
 int linesPerBlock(const PointImage& points, int blockBeams) {
   const LatticeSteps::Step step = points.steps.at({points.range.rows() / 2, points.range.cols() / 2});
   return std::clamp(static_cast<int>(std::lround(blockBeams * step.beam / std::max(step.line, 1e-6f))), 2,
-                    10);
+                    Patches::kMostLines);
 }
 
 }  // namespace
@@ -95,6 +95,42 @@ bool Patches::agree(GridIndex a, GridIndex b) const {
   return off * off <= kFarSigmas * kFarSigmas * 2 * neurons_.variance(a, cosine) * cosine * cosine;
 }
 
+// A block of several regions: patches that lie in one of them whole, neurons where a border cuts a patch.
+void Patches::addMixed(const Block& block, const Grid<std::int32_t>& region, RegionSums& sums) const {
+  constexpr std::int32_t kCut = -2;
+  std::array<std::pair<std::int32_t, std::int32_t>, 4 * kMostLines> seen;  // patch, its region
+  size_t patches = 0;
+  const auto of = [&](std::int32_t patch) {
+    size_t k = 0;
+    while (k < patches && seen[k].first != patch) ++k;
+    return k;
+  };
+  for (int i = block.line; i < block.endLine; ++i)
+    for (int j = block.beam; j < block.endBeam; ++j) {
+      const std::int32_t l = region({i, j}), patch = patch_({i, j});
+      if (l != kNoRegion) ++sums.size[static_cast<size_t>(l)];
+      if (patch == kNoRegion) continue;
+      const size_t k = of(patch);
+      if (k == patches)
+        seen[patches++] = {patch, l};
+      else if (seen[k].second != l)
+        seen[k].second = kCut;
+    }
+  bool anyCut = false;
+  for (size_t k = 0; k < patches; ++k) {
+    if (seen[k].second >= 0)
+      sums.sums[static_cast<size_t>(seen[k].second)] += sums_[static_cast<size_t>(seen[k].first)];
+    anyCut = anyCut || seen[k].second == kCut;
+  }
+  if (!anyCut) return;
+  for (int i = block.line; i < block.endLine; ++i)
+    for (int j = block.beam; j < block.endBeam; ++j) {
+      const std::int32_t l = region({i, j}), patch = patch_({i, j});
+      if (l != kNoRegion && patch != kNoRegion && seen[of(patch)].second == kCut)
+        neurons_.addTo(sums.sums[static_cast<size_t>(l)], {i, j});
+    }
+}
+
 Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_t regions,
                                     const Execution& execution) const {
   // Partial sums of a fixed number of rows each, added in order: the same bits for any number of threads.
@@ -121,13 +157,7 @@ Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_
                   static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
               continue;
             }
-            for (int i = b.line; i < b.endLine; ++i)
-              for (int j = b.beam; j < b.endBeam; ++j) {
-                const std::int32_t l = region({i, j});
-                if (l == kNoRegion) continue;
-                ++part.size[static_cast<size_t>(l)];
-                if (neurons_.hasNormal({i, j})) neurons_.addTo(part.sums[static_cast<size_t>(l)], {i, j});
-              }
+            addMixed(b, region, part);
           }
       },
       rowsOfPart);

@@ -31,12 +31,15 @@ public:
   };
   RegionSums sumsOf(const Grid<std::int32_t>& region, std::size_t regions, const Execution& execution) const;
 
+  static constexpr int kMostLines = 10;  ///< of a block
+
 private:
   struct Block {
     int line, endLine, beam, endBeam;
   };
   Block block(int row, int col) const;
   void labelBlock(const Block& block, std::vector<PatchSums>& sums, std::vector<GridIndex>& stack);
+  void addMixed(const Block& block, const Grid<std::int32_t>& region, RegionSums& sums) const;
   bool agree(GridIndex a, GridIndex b) const;
 
   const Neurons& neurons_;
