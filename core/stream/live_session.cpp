@@ -74,10 +74,11 @@ struct LiveSession::State {
 
   /// A scan that was given to the pipeline, and what was known of it then.
   struct Submitted {
-    ScanPtr scan;
+    std::weak_ptr<const Scan> scan;  ///< gone once another has taken its place in the worker's slot
     int arrived;
     bool last;   ///< of a scan that has ended
     bool final;  ///< and so has the stream
+    bool computed = false;
   };
 
   const std::unique_ptr<RowSource> source;
@@ -186,10 +187,17 @@ struct LiveSession::State {
     lastSubmit = now;
     // Under the lock, so that no older parameters overtake those of setParams().
     const std::lock_guard lock(mutex);
+    // A complete scan goes before what was computed of it so far, but not before a complete one that came
+    // earlier: a sender faster than the pipeline would see to it that nothing is ever shown.
+    std::erase_if(submitted, [](const Submitted& s) { return s.scan.expired(); });
+    const bool oneIsComplete = workerBusy && std::ranges::any_of(submitted, [](const Submitted& s) {
+                                 return s.last && !s.computed;
+                               });
     workerBusy = true;
     progress.finished = false;
     submitted.push_back({scan, live.arrived(), last, sourceEnded});
-    worker.request(std::vector{std::move(scan)}, params, last ? ScanChange::Replaced : ScanChange::Grown);
+    worker.request(std::vector{std::move(scan)}, params,
+                   last && !oneIsComplete ? ScanChange::Replaced : ScanChange::Grown);
   }
 
   /// The stream has ended, and all of it has been given to the pipeline already.
@@ -218,9 +226,10 @@ struct LiveSession::State {
         const SnapshotPtr before = std::exchange(newest, std::move(update.snapshot));
         taken = false;
         const ScanPtr& scan = newest->scans.at(0).scan;
-        while (!submitted.empty() && submitted.front().scan != scan) submitted.pop_front();
+        while (!submitted.empty() && submitted.front().scan.lock() != scan) submitted.pop_front();
         if (!submitted.empty()) {
-          const Submitted& of = submitted.front();
+          Submitted& of = submitted.front();
+          of.computed = true;
           progress.computed = of.arrived;
           progress.steady = of.last ? scan->lattice->lines() : before ? settledLines(*before, *newest) : 0;
         }
