@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProcess>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -288,6 +289,20 @@ TEST_F(LiveWindow, WhatCannotBeOpenedIsSaidAndThePictureStays) {
   EXPECT_TRUE(said.contains("scan.pcdx")) << said.toStdString();
   EXPECT_EQ(window_->snapshot(), before);
   EXPECT_TRUE(window_->live().isOpen());
+}
+
+TEST_F(LiveWindow, TheProgramTakesOneStreamAndNoOther) {
+  const auto refused = [](const QStringList& arguments, const char* word) {
+    QProcess program;
+    program.start(QStringLiteral(STRATASCOPE_WINDOW), arguments);
+    ASSERT_TRUE(program.waitForFinished(60000));
+    EXPECT_EQ(program.exitCode(), 2);
+    const QByteArray said = program.readAllStandardError();
+    EXPECT_TRUE(said.contains(word) && said.count('\n') == 1) << said.constData();
+  };
+  refused({"tcp://box"}, "no port");
+  refused({"tcp://box:2111", "a.pcd"}, "alone");
+  refused({"replay:a.pcd", "--batch", "out"}, "--batch");
 }
 
 TEST_F(LiveWindow, TheDialogWritesAddressesAndReadsThem) {
