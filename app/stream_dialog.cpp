@@ -85,7 +85,9 @@ StreamDialog::StreamDialog(const QString& folder, Remember remember, QWidget* pa
   address_->setToolTip(
       tr("As stratascope-cli stream takes it: replay:FILE, tcp://HOST:PORT or "
          "serial:DEVICE?baud=N"));
+  giveUpLabel_ = new QLabel(tr("Give up after silence of"));
   auto* bottom = new QFormLayout;
+  bottom->addRow(giveUpLabel_, giveUp_);
   bottom->addRow(tr("Address"), address_);
   problem_ = new QLabel;
   problem_->setObjectName("problem");
@@ -229,7 +231,6 @@ void StreamDialog::buildDevices() {
   head->addRow(QString(), headTurns_);
   head->addRow(tr("Lines of a scan"), lines_);
   head->addRow(tr("Bits of a range"), rangeBits_);
-  head->addRow(tr("Give up after silence of"), giveUp_);
 
   connect(host_, &QLineEdit::textEdited, this, &StreamDialog::writeAddress);
   connect(port_, qOverload<int>(&QSpinBox::valueChanged), this, &StreamDialog::writeAddress);
@@ -259,7 +260,9 @@ void StreamDialog::showKind() {
   sceneBox_->setVisible(k == Kind::Scene);
   tcpBox_->setVisible(k == Kind::Tcp);
   serialBox_->setVisible(k == Kind::Serial);
-  headBox_->setVisible(!played);
+  for (QWidget* w :
+       {static_cast<QWidget*>(headBox_), static_cast<QWidget*>(giveUpLabel_), static_cast<QWidget*>(giveUp_)})
+    w->setVisible(!played);
   layout()->activate();
   adjustSize();
 }

@@ -56,7 +56,7 @@ private:
 
   QGroupBox *fileBox_, *sceneBox_, *tcpBox_, *serialBox_, *headBox_;
   QLineEdit* file_;
-  QLabel* fileLabel_;
+  QLabel *fileLabel_, *giveUpLabel_;
   QComboBox* speed_;
   QCheckBox *loop_, *paused_;
   QComboBox *head_, *noise_, *moving_;
