@@ -7,6 +7,8 @@
 namespace stratascope {
 namespace {
 
+constexpr int kMessageWidth = 300;
+
 struct Count {
   QString name, meaning;
   std::uint64_t value;
@@ -58,6 +60,12 @@ void StreamCounts::setProgress(const LiveProgress& p) {
                                                            : "#8b94a1";
   QString text = QStringLiteral("<span style='color:%1'>●</span>&nbsp;%2")
                      .arg(QLatin1String(light), streamStateText(p.state));
+  // Why it is not there (yet) belongs on screen; all the rest is for who asks.
+  if (p.state == StreamState::Connecting || p.state == StreamState::Failed)
+    text += QStringLiteral(" (%1)").arg(
+        fontMetrics()
+            .elidedText(QString::fromStdString(p.message), Qt::ElideRight, kMessageWidth)
+            .toHtmlEscaped());
   QString tip = QStringLiteral("<p><b>%1</b>: %2</p><table>")
                     .arg(streamStateText(p.state), QString::fromStdString(p.message).toHtmlEscaped());
   for (const Count& count : countsOf(p.counters)) {

@@ -150,6 +150,8 @@ TEST_F(CliStream, InterruptKeepsWhatArrived) {
       {"serve", folder_ / "scene.json", "--port", "0", "--speed", "2", "--loop", "--moving", "crate"});
   const std::string address = serve.firstLine();
   Process stream(folder_, "stream", {"stream", address, "--out", folder_ / "s"});
+  for (int i = 0; i < 6000 && serve.err().find("listener") == std::string::npos; ++i)
+    std::this_thread::sleep_for(10ms);
   std::this_thread::sleep_for(700ms);
   stream.interrupt();
   EXPECT_EQ(stream.wait(), 0) << stream.err();

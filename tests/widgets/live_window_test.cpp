@@ -276,6 +276,27 @@ TEST_F(LiveWindow, AScannerOverTcpIsShownAndCounted) {
   EXPECT_TRUE(counts().contains("ended")) << counts().toStdString();
 }
 
+TEST_F(LiveWindow, AScannerThatIsNotThereIsWaitedForAndNamed) {
+  // A port nobody listens on: taken, and given back.
+  const std::uint16_t port = TcpListener::listen("127.0.0.1", 0).value()->port();
+  StreamRequest request;
+  request.address = "tcp://127.0.0.1:" + std::to_string(port);
+  ASSERT_TRUE(open(request));
+  ASSERT_TRUE(waitFor([&] { return counts().contains("connecting(127.0.0.1:" + QString::number(port)); }))
+      << counts().toStdString();
+  find<QToolButton>("streamStop")->click();
+  ASSERT_TRUE(waitFor([&] { return progress().finished; }));
+  EXPECT_TRUE(waitFor([&] { return counts().contains("ended"); })) << counts().toStdString();
+  EXPECT_EQ(window_->snapshot(), nullptr);
+
+  request.telegrams.giveUp = std::chrono::milliseconds(300);
+  QString said;
+  QObject::connect(window_.get(), &MainWindow::failed, [&](const QString& message) { said = message; });
+  ASSERT_TRUE(open(request));
+  ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));
+  EXPECT_TRUE(said.contains("127.0.0.1")) << said.toStdString();
+}
+
 TEST_F(LiveWindow, WhatCannotBeOpenedIsSaidAndThePictureStays) {
   ASSERT_TRUE(open(replay(0)));
   ASSERT_TRUE(finished());
