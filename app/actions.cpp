@@ -72,6 +72,8 @@ void Actions::buildFileMenu() {
   QMenu* file = window_.menuBar()->addMenu(tr("&File"));
   open_ = add(file, tr("&Open…"), "open", QKeySequence::Open, tr("Open one scan, or several into one map"),
               [this] { window_.chooseFiles(); });
+  add(file, tr("Open s&tream…"), "stream", QKeySequence(QStringLiteral("Ctrl+Shift+O")),
+      tr("A scan that comes in line by line: from a scanner, or played"), [this] { window_.chooseStream(); });
   recent_ = file->addMenu(tr("Open &recent"));
   connect(recent_, &QMenu::aboutToShow, this, &Actions::fillRecent);
   fillRecent();

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSettings>
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +16,7 @@
 #include "app/cli/param_options.h"
 #include "app/drag_bench.h"
 #include "app/language.h"
+#include "app/live_bench.h"
 #include "app/main_window.h"
 #include "io/export.h"
 #include "params/param_table.h"
@@ -28,8 +30,23 @@ struct Arguments {
   stratascope::cli::ParamOptions params;
   std::string batch, theme = "system", size, language;
   std::vector<std::string> drag;
-  bool measureDrag = false;
+  bool measureDrag = false, measureLive = false;
+
+  bool stream() const { return files.size() == 1 && stratascope::looksLikeStreamAddress(files.front()); }
 };
+
+/// Why these cannot be opened together; empty if they can.
+std::string streamProblem(const Arguments& arguments) {
+  using namespace stratascope;
+  const auto found = std::ranges::find_if(arguments.files, looksLikeStreamAddress);
+  if (found == arguments.files.end()) return {};
+  if (arguments.files.size() > 1) return *found + ": a stream is opened alone, without files beside it";
+  if (!arguments.batch.empty() || arguments.measureDrag)
+    return *found + ": --batch and --measure-drag need a scan file";
+  if (!looksLikeDeviceAddress(*found)) return {};
+  const auto address = streamAddressFromText(*found);
+  return address ? std::string() : address.error().message();
+}
 
 int complain(const std::string& message, int status) {
   std::fprintf(stderr, "stratascope: %s\n", message.c_str());
@@ -87,7 +104,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   applyTheme(Theme::System);
   speak(QString::fromStdString(arguments.language));
 
-  const bool batch = !arguments.batch.empty() || arguments.measureDrag;
+  const bool batch = !arguments.batch.empty() || arguments.measureDrag || arguments.measureLive;
   MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
   if (arguments.theme != "system") applyTheme(arguments.theme == "dark" ? Theme::Dark : Theme::Light);
   window.setParams(settings->params);
@@ -101,6 +118,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
       double seconds = 2;
       if (arguments.drag.size() > 1) seconds = QString::fromStdString(arguments.drag[1]).toDouble();
       new DragBench(window, keys, seconds);
+    } else if (arguments.measureLive) {
+      new LiveBench(window, arguments.files.front());
     } else {
       new Batch(window, QFile::decodeName(arguments.batch.c_str()));
     }
@@ -114,7 +133,16 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
                            QStringLiteral("/../share/stratascope/samples/stair_hall.pcd");
     if (QFile::exists(sample)) files << QFileInfo(sample).canonicalFilePath();
   }
-  window.openFiles(files, settings->poses);
+  if (arguments.measureLive) {
+    // It opens the scan itself, again and again.
+  } else if (arguments.stream()) {
+    StreamRequest request;
+    request.address = arguments.files.front();
+    window.openStream(request,
+                      settings->poses.empty() ? std::nullopt : std::optional(settings->poses.front()));
+  } else {
+    window.openFiles(files, settings->poses);
+  }
   return app.exec();
 }
 
@@ -123,7 +151,9 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
 int main(int argc, char** argv) {
   CLI::App cli{"Stratascope: 2.5D and extended 2.5D maps from rotating laser scans, in a window"};
   Arguments arguments;
-  cli.add_option("files", arguments.files, "Scans to open; several go into one map");
+  cli.add_option("files", arguments.files,
+                 "Scans to open, several go into one map; or one stream: tcp://HOST:PORT, "
+                 "serial:DEVICE?baud=500000, replay:FILE (a scan, or a scene that is scanned)");
   arguments.params.addTo(cli);
   cli.add_option("--batch", arguments.batch,
                  "Show the window, write window.png and all results into this folder when done, and quit");
@@ -140,6 +170,9 @@ int main(int argc, char** argv) {
                                      "long pictures take to follow, and quit")
                           ->type_name("[PARAM [SECONDS]]")
                           ->expected(0, 2);
+  cli.add_flag("--measure-live", arguments.measureLive,
+               "Play the scan at ten times the scanner's speed, several times, print how long after the last "
+               "line the final picture stands, and quit");
   cli.set_version_flag("--version", std::string("stratascope ") + stratascope::versionText());
   try {
     cli.parse(argc, argv);
@@ -152,6 +185,9 @@ int main(int argc, char** argv) {
       if (const std::string problem = dragProblem(arguments.drag); !problem.empty())
         return complain(problem, 2);
     }
+    if (arguments.measureLive && arguments.files.size() != 1)
+      return complain("--measure-live needs one scan file", 2);
+    if (const std::string problem = streamProblem(arguments); !problem.empty()) return complain(problem, 2);
     return runWindow(argc, argv, arguments);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return cli.exit(e);  // --help, --version

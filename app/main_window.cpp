@@ -16,8 +16,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/actions.h"
+#include "app/live_control.h"
 #include "app/session.h"
 #include "app/welcome_page.h"
 #include "widgets/cut_control.h"
@@ -120,10 +122,13 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
 
   buildDocks();
   actions_ = new Actions(*this, *session_, *cut_);
+  live_ = new LiveControl(*this);
+  connect(live_, &LiveControl::failed, this, &MainWindow::showError);
   connectParts();
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
   session_->restore(*this);
+  live_->refresh();
 }
 
 MainWindow::~MainWindow() = default;
@@ -236,6 +241,7 @@ void MainWindow::lockRanges(bool lock) {
 void MainWindow::resetLayout() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setFloating(false);
   restoreState(firstLayout_);
+  live_->refresh();
 }
 
 void MainWindow::showHelp() {
@@ -301,7 +307,9 @@ void MainWindow::takeGeometry() {
   const Snapshot& snapshot = *geometry->snapshot;
   std::vector<ScanPtr> scans;
   for (const ScanProducts& products : snapshot.scans) scans.push_back(products.scan);
-  const bool otherScans = scans != shownScans_;
+  const int stream = bridge_->streamNumber();
+  const bool streamGoesOn = stream != 0 && std::exchange(shownStream_, stream) == stream;
+  const bool otherScans = scans != shownScans_ && !streamGoesOn;
   // What was selected means something else in other scans, and a cell's numbers in another grid.
   const bool otherGrid = snapshot.params.grid.cell != shownCell_;
   if (otherScans || (otherGrid && std::holds_alternative<CellIndex>(selection_.get()))) {
@@ -318,7 +326,9 @@ void MainWindow::takeGeometry() {
   cut_->setGeometry(*geometry);
   stages_->setStages(snapshot.stages);
   actions_->setHasResult(true);
-  log_->add(computedText(snapshot));
+  // A line of the log for each line of a scan would be of no use.
+  if (!streamGoesOn || bridge_->streamProgress().finished) log_->add(computedText(snapshot));
+  live_->followData(*geometry);
   if (!otherScans) return;
 
   pages_->setCurrentWidget(views_);
@@ -352,6 +362,8 @@ void MainWindow::note(const QString& text) {
 void MainWindow::showProgress() {
   if (reading_ > 0)
     status_->setProgress(true, -1, tr("Reading"));
+  else if (bridge_->stream() && !bridge_->streamProgress().finished)
+    status_->setProgress(false, -1);  // the transport bar tells
   else
     status_->setProgress(bridge_->busy(), stage_);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/scan_io.h"
+#include "stream/open_stream.h"
 #include "widgets/background.h"
 #include "widgets/pipeline_bridge.h"
 #include "widgets/selection.h"
@@ -23,6 +24,7 @@ namespace stratascope {
 class Actions;
 class CutControl;
 class HelpPanel;
+class LiveControl;
 class LogPanel;
 class MessageBar;
 class ParamHistory;
@@ -48,6 +50,8 @@ public:
   /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a
   /// file, or none.
   void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
+  /// Opens it off this thread and shows what comes. On an error what is on screen stays.
+  void openStream(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose = {});
   void setParams(const PipelineParams& params);
   /// The same as a step that can be undone under that name.
   void changeParams(const PipelineParams& params, const QString& what);
@@ -66,6 +70,7 @@ public:
   PipelineBridge& bridge() { return *bridge_; }
   Selection& selection() { return selection_; }
   ViewArea& views() { return *views_; }
+  LiveControl& live() { return *live_; }
   ParamPanel& paramPanel() { return *params_; }
   ParamHistory& history() { return *history_; }
   PresetBar& presets() { return *presets_; }
@@ -79,6 +84,7 @@ public:
 
 public slots:
   void chooseFiles();
+  void chooseStream();
   void reload();
   void exportResultsTo();
   void savePicture();
@@ -135,6 +141,7 @@ private:
   QTimer* noteEnds_;
   Session* session_;
   Actions* actions_;
+  LiveControl* live_;
 
   QStringList paths_;
   std::vector<Eigen::Isometry3d> poses_;
@@ -143,6 +150,7 @@ private:
   int reading_ = 0;
   int requested_ = 0;  ///< opening a newer file makes an older reading pointless
   int stage_ = -1;
+  int shownStream_ = 0;
   // Last: its jobs end before what they report to goes.
   Background background_;
 };

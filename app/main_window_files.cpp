@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "app/live_control.h"
 #include "app/main_window.h"
 #include "app/session.h"
 #include "io/export.h"
@@ -96,6 +97,7 @@ void MainWindow::chooseFiles() {
 }
 
 void MainWindow::reload() {
+  if (live_->isOpen()) return openStream(live_->request());
   if (!paths_.isEmpty()) openFiles(paths_, poses_);
 }
 
@@ -111,9 +113,9 @@ void MainWindow::exportTo(const QString& directory) {
   note(tr("Exporting to %1 …").arg(directory));
   background_.run(
       this,
-      [result, folder = native(directory)]() -> QString {
+      [result, folder = native(directory), counters = live_->countersJson()]() -> QString {
         try {
-          const auto written = exportResults(*result, folder);
+          const auto written = exportResults(*result, folder, counters);
           return written ? QString() : QString::fromStdString(written.error().message());
         } catch (const std::exception& e) {
           return QString::fromUtf8(e.what());
@@ -166,6 +168,7 @@ void MainWindow::copyCommandLine() {
   QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")};
   for (QString path : paths_)
     words << QStringLiteral("'") + path.replace('\'', "'\\''") + QStringLiteral("'");
+  if (live_->isOpen()) words = live_->commandWords();
   words << QStringLiteral("--out") << QStringLiteral("results");
   const QString options = QString::fromStdString(paramsAsOptions(params_->params()));
   if (!options.isEmpty()) words << options;

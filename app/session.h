@@ -18,6 +18,8 @@ class Session : public QObject {
 public:
   explicit Session(bool keep, QObject* parent = nullptr);
 
+  /// Whether anything outlives this run.
+  bool keeps() const { return keep_; }
   QStringList recentFiles() const { return recent_; }
   void addRecent(const QStringList& paths);
   QString lastDirectory() const;

@@ -107,6 +107,13 @@ Rgb mapColour(ColourMap map, double t) {
   return {byte(a.r + f * (b.r - a.r)), byte(a.g + f * (b.g - a.g)), byte(a.b + f * (b.b - a.b))};
 }
 
+Rgb dimmed(Rgb colour) {
+  const auto mix = [](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>((2 * from + 3 * to) / 5);
+  };
+  return {mix(colour.r, kNoValue.r), mix(colour.g, kNoValue.g), mix(colour.b, kNoValue.b)};
+}
+
 Rgb shaded(Rgb c, float factor) {
   return {byte(c.r * factor), byte(c.g * factor), byte(c.b * factor)};
 }

@@ -40,6 +40,8 @@ inline constexpr Rgb kHighlight{255, 45, 160};
 inline constexpr Rgb kTakenColour{30, 200, 120}, kNearColour{255, 150, 30}, kFarColour{120, 140, 190};
 
 Rgb shaded(Rgb colour, float factor);
+/// What may still change: more than half grey, so that it stands back on light and dark ground.
+Rgb dimmed(Rgb colour);
 
 /// The numbers a scalar bar spans.
 struct ColourScale {

@@ -87,9 +87,11 @@ std::vector<float> heightsBelow(const CellAssignment& cells, double cut) {
 }
 
 MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const float> values,
-                        double base, const ColourScale& scale, MeshDetail detail) {
+                        double base, const ColourScale& scale, MeshDetail detail,
+                        std::span<const char> provisional) {
   require(heights.size() == frame.size(), "buildColumnMesh: heights do not fit the frame");
   require(values.empty() || values.size() == frame.size(), "buildColumnMesh: one value a cell");
+  require(provisional.empty() || provisional.size() == frame.size(), "buildColumnMesh: one mark a cell");
   const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
   MeshWriter out(heights.size());
   for (size_t o = 0; o < heights.size(); ++o) {
@@ -97,7 +99,8 @@ MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, s
     if (std::isnan(z)) continue;
     const CellIndex c = frame.index(o);
     const Eigen::Vector2d p = frame.lowerCorner(c), q = frame.lowerCorner({c.k + 1, c.l + 1});
-    const Rgb colour = scale.colour(values.empty() ? z : values[o]);
+    Rgb colour = scale.colour(values.empty() ? z : values[o]);
+    if (!provisional.empty() && provisional[o]) colour = dimmed(colour);
     out.top(p.x(), p.y(), q.x(), q.y(), z, colour);
     for (int side = 0; side < 4; ++side) {
       const CellIndex n{c.k + kNeighbours[side].k, c.l + kNeighbours[side].l};
@@ -113,9 +116,10 @@ MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, s
 }
 
 MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, double cut,
-                     const ColourScale& scale, MeshDetail detail) {
+                     const ColourScale& scale, MeshDetail detail, std::span<const char> provisional) {
   require(values.empty() || values.size() == map.records.size(), "buildBoxMesh: one value a record");
   const MapFrame& frame = map.frame;
+  require(provisional.empty() || provisional.size() == frame.size(), "buildBoxMesh: one mark a cell");
   const double thickness = minimumBoxThickness(frame);
   const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
   MeshWriter out(2 * map.records.size());
@@ -128,7 +132,8 @@ MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, doub
       if (r.min > cut) break;
       const double high = std::min<double>(r.max, cut);
       const double low = std::min<double>(r.min, high - thickness);
-      const Rgb colour = scale.colour(values.empty() ? high : values[i]);
+      Rgb colour = scale.colour(values.empty() ? high : values[i]);
+      if (!provisional.empty() && provisional[o]) colour = dimmed(colour);
       out.top(p.x(), p.y(), q.x(), q.y(), high, colour);
       // Undersides matter only for what hangs above something; from above they are culled and cost little.
       if (detail == MeshDetail::Full && i > map.first[o]) out.bottom(p.x(), p.y(), q.x(), q.y(), low, colour);

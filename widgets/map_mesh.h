@@ -29,14 +29,16 @@ enum class MeshDetail { Full, Coarse };
 std::vector<float> heightsBelow(const CellAssignment& cells, double cut);
 
 /// One column a cell, from `base` (or the lower neighbour) up to its height. A wall stands only where the
-/// neighbour is lower. Coloured by `values`, one a cell, or by height if there are none.
+/// neighbour is lower. Coloured by `values`, one a cell, or by height if there are none;
+/// dimmed where `provisional`, one a cell, is not 0.
 MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const float> values,
-                        double base, const ColourScale& scale, MeshDetail detail);
+                        double base, const ColourScale& scale, MeshDetail detail,
+                        std::span<const char> provisional = {});
 
 /// One box a record. Records above the cut are left out, one it passes through ends there. Coloured by
-/// `values`, one a record, or by height if there are none.
+/// `values`, one a record, or by height if there are none; dimmed in cells where `provisional` is not 0.
 MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, double cut,
-                     const ColourScale& scale, MeshDetail detail);
+                     const ColourScale& scale, MeshDetail detail, std::span<const char> provisional = {});
 
 /// Thickness a box is drawn with at least, so that a record of one height can be seen.
 double minimumBoxThickness(const MapFrame& frame);

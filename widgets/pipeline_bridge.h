@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pipeline/worker.h"
+#include "stream/live_session.h"
 #include "widgets/view_geometry.h"
 
 namespace stratascope {
@@ -41,6 +42,17 @@ public:
   void setViewOptions(const ViewOptions& options);
   void cancel();
 
+  /// Shows a stream, with the present parameters, until setScans() or another one. What it brought stays to
+  /// be tuned on after its end.
+  void openStream(std::unique_ptr<RowSource> source, const std::string& path,
+                  const std::optional<Eigen::Isometry3d>& pose = {});
+  /// Null if files are shown.
+  LiveSession* stream() const { return live_.get(); }
+  /// Of the stream as it was when it was last heard of.
+  const LiveProgress& streamProgress() const { return progress_; }
+  /// Another one with every stream; 0 = files.
+  int streamNumber() const { return streamNumber_; }
+
   const PipelineParams& params() const { return params_; }
   const ViewOptions& viewOptions() const { return options_; }
   const std::vector<ScanPtr>& scans() const { return scans_; }
@@ -55,10 +67,16 @@ signals:
   /// stage: −1 if none is running (waiting, or building pictures).
   void progressChanged(bool busy, int stage);
   void failed(const QString& message);
+  /// A stream began, went on, or made way for files; often. Never without a cause of its own.
+  void streamChanged();
 
 private:
   /// Takes what the worker has; called on both threads.
   WorkerUpdate collect();
+  /// The same for a stream; called on threads of the session, too.
+  void collectStream();
+  void pollStream();
+  void closeStream();
   void poll();
   void build();
   void takeGeometry();
@@ -71,17 +89,27 @@ private:
   GeometryTimes times_;
   bool workerBusy_ = false;
   int stage_ = -1;
-  std::atomic<bool> pollPosted_ = false;
+  std::atomic<bool> pollPosted_ = false, streamPollPosted_ = false;
+  int streamNumber_ = 0, streams_ = 0;
+  LiveProgress progress_;
+  std::unique_ptr<LiveSession> live_;
+  std::jthread closing_;  ///< ends the stream before, which may take a moment
 
   struct BuildRequest {
     SnapshotPtr snapshot;
     ViewOptions options;
+    int stream;
+    int finalLines;
     GeometryTimes::Clock::time_point computed;
   };
-  std::mutex collecting_;     ///< results keep their order
-  mutable std::mutex mutex_;  ///< guards what follows
+  std::mutex collecting_;               ///< results keep their order
+  LiveSession* collectFrom_ = nullptr;  ///< guarded by collecting_
+  mutable std::mutex mutex_;            ///< guards what follows
   std::condition_variable_any wake_;
   SnapshotPtr snapshot_;
+  int snapshotStream_ = 0;  ///< the number of the stream it is of
+  int finalLines_ = std::numeric_limits<int>::max();
+  LiveProgress newestProgress_;
   ViewOptions buildOptions_;
   GeometryTimes::Clock::time_point computed_;
   std::optional<BuildRequest> request_;

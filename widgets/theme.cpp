@@ -55,6 +55,7 @@ QString styleSheetFor(const QPalette& p) {
     QToolTip { border: 1px solid @line; padding: 5px; }
     QMainWindow::separator { background: @line; width: 1px; height: 1px; }
     QToolBar { border: none; border-bottom: 1px solid @line; padding: 4px 8px; spacing: 4px; }
+    QToolBar#streamBar { border-bottom: none; border-top: 1px solid @line; padding: 0px; }
     QToolBar#stageBar { border-bottom: none; border-top: 1px solid @line; padding: 0px; }
     QToolBar::separator { background: @line; width: 1px; margin: 5px 6px; }
     QToolBar QToolButton { padding: 4px 6px; }

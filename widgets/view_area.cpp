@@ -45,6 +45,7 @@ void ViewArea::setGeometry(const ViewGeometryPtr& geometry) {
 }
 
 void ViewArea::look(ViewDirection direction) {
+  direction_ = direction;
   if (!geometry_) return;
   for (VtkView* view : views_) view->look(geometry_->bounds, geometry_->viewing, direction);
 }

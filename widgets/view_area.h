@@ -21,6 +21,8 @@ public:
   void setGeometry(const ViewGeometryPtr& geometry);
   /// Fits all three views.
   void look(ViewDirection direction);
+  /// From where it was looked last, as the data is now.
+  void lookAgain() { look(direction_); }
   void setLinked(bool linked);
   void setPerspective(bool perspective);
   void setGrid(bool visible);
@@ -55,6 +57,7 @@ private:
   ViewGeometryPtr geometry_;
   VtkView* maximised_ = nullptr;
   bool linked_ = true;
+  ViewDirection direction_ = ViewDirection::Iso;
 };
 
 }  // namespace stratascope

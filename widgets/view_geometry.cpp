@@ -136,8 +136,12 @@ DisplayNumbers numberPlanes(const Snapshot& now, const ViewGeometry* old) {
   std::vector<std::span<const PlaneLabel>> before, after;
   for (size_t s = 0; s < now.scans.size(); ++s) {
     if (!now.scans[s].planes || !old->snapshot->scans[s].planes) continue;
-    before.push_back(old->snapshot->scans[s].planes->labels.values());
-    after.push_back(now.scans[s].planes->labels.values());
+    // A stream whose length is not known yet has more lines now.
+    const auto was = old->snapshot->scans[s].planes->labels.values(),
+               is = now.scans[s].planes->labels.values();
+    const size_t common = std::min(was.size(), is.size());
+    before.push_back(was.first(common));
+    after.push_back(is.first(common));
   }
   return followNumbers(before, old->numbers, after, labels);
 }
@@ -146,6 +150,28 @@ Eigen::Vector3f normalOf(const Snapshot& snapshot, PointRef p) {
   const ScanProducts& scan = snapshot.scans[static_cast<size_t>(p.scan)];
   const auto neuron = neuronOf(snapshot, p);
   return scan.normals && neuron ? scan.normals->normals(*neuron) : Eigen::Vector3f::Constant(std::nanf(""));
+}
+
+bool isProvisional(const ViewGeometry& g, PointRef p) {
+  const ScanLattice* lattice = g.snapshot->scans[static_cast<size_t>(p.scan)].scan->lattice.get();
+  return lattice && g.finalLines < lattice->lines() &&
+         p.offset / static_cast<std::uint32_t>(lattice->beams()) >= static_cast<std::uint32_t>(g.finalLines);
+}
+
+/// Of each cell, whether all its points are; empty if none is.
+std::vector<char> provisionalCells(const ViewGeometry& g) {
+  const Snapshot& s = *g.snapshot;
+  // Streams bring one scan, whose points are counted as its neurons are.
+  if (s.scans.size() != 1 || !s.scans[0].scan->lattice || g.finalLines >= s.scans[0].scan->lattice->lines())
+    return {};
+  const auto finalPoints =
+      static_cast<size_t>(std::max(0, g.finalLines)) * static_cast<size_t>(s.scans[0].scan->lattice->beams());
+  const CellAssignment& cells = *s.cells;
+  std::vector<char> out(cells.frame.size(), 1);
+  for (size_t o = 0; o < out.size(); ++o)
+    for (std::uint32_t i = cells.first[o]; i < cells.first[o + 1] && out[o]; ++i)
+      out[o] = cells.source[i] >= finalPoints;
+  return out;
 }
 
 std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(ViewGeometry& g,
@@ -181,6 +207,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(ViewGeometry& g,
       default:
         c = g.cloudScale.colour(values[i]);
     }
+    if (isProvisional(g, ref)) c = dimmed(c);
     rgb->insert(rgb->end(), {c.r, c.g, c.b});
   }
   return rgb;
@@ -192,17 +219,20 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   if (!snapshot.cells || !snapshot.intervalMap) return;
   const bool byRecords = options.mapColouring != MapColouring::Height;
   const bool sameIntervals = old && snapshot.intervalMap == old->snapshot->intervalMap;
-  const bool lookStands =
-      heightsStand && g.cut == old->cut && options.mapColouring == old->options.mapColouring &&
-      options.colourMap == old->options.colourMap && options.mapRange == old->options.mapRange;
+  const bool lookStands = heightsStand && g.cut == old->cut && g.finalLines == old->finalLines &&
+                          options.mapColouring == old->options.mapColouring &&
+                          options.colourMap == old->options.colourMap &&
+                          options.mapRange == old->options.mapRange;
   const bool columnsStand =
       lookStands && old->columns && snapshot.cells == old->snapshot->cells && (!byRecords || sameIntervals);
   const bool boxesStand = lookStands && old->boxes && sameIntervals;
 
   std::vector<float> ofRecords, ofCells;
+  std::vector<char> provisional;
   if (columnsStand && boxesStand) {
     g.mapScale = old->mapScale;
   } else {
+    provisional = provisionalCells(g);
     ofRecords = recordValues(*snapshot.intervalMap, options.mapColouring);
     ofCells = cellValues(*snapshot.intervalMap, ofRecords);
     if (options.mapRange)
@@ -219,8 +249,8 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   } else {
     g.columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot.cells, g.cut));
     const auto mesh = [&](MeshDetail detail) {
-      return std::make_shared<const MapMesh>(
-          buildColumnMesh(snapshot.cells->frame, *g.columnHeights, ofCells, g.base, g.mapScale, detail));
+      return std::make_shared<const MapMesh>(buildColumnMesh(snapshot.cells->frame, *g.columnHeights, ofCells,
+                                                             g.base, g.mapScale, detail, provisional));
     };
     g.columns = mesh(MeshDetail::Full);
     g.columnsCoarse = mesh(MeshDetail::Coarse);
@@ -232,7 +262,7 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   } else {
     const auto mesh = [&](MeshDetail detail) {
       return std::make_shared<const MapMesh>(
-          buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail));
+          buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail, provisional));
     };
     g.boxes = mesh(MeshDetail::Full);
     g.boxesCoarse = mesh(MeshDetail::Coarse);
@@ -275,11 +305,12 @@ SurfaceClass classOf(const Snapshot& snapshot, PointRef p) {
 }
 
 ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options,
-                                  const ViewGeometryPtr& previous) {
+                                  const ViewGeometryPtr& previous, const StreamStand& stream) {
   require(snapshot != nullptr, "buildViewGeometry: no snapshot");
   auto g = std::make_shared<ViewGeometry>();
   g->snapshot = snapshot;
   g->options = options;
+  g->finalLines = stream.finalLines;
   const ViewGeometry* old = previous.get();
   const bool pointsStand = old && samePoints(*snapshot, *old->snapshot);
 
@@ -299,9 +330,11 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
 
   const bool heightsStand = old && pointsStand && g->heights == old->heights;
   const bool planesStand = pointsStand && samePlanes(*snapshot, *old->snapshot);
-  g->numbers = planesStand ? old->numbers : numberPlanes(*snapshot, pointsStand ? old : nullptr);
-  if (heightsStand && sameColours(*snapshot, *old->snapshot) && options.colouring == old->options.colouring &&
-      options.colourMap == old->options.colourMap && options.cloudRange == old->options.cloudRange) {
+  g->numbers = planesStand ? old->numbers
+                           : numberPlanes(*snapshot, pointsStand || (old && stream.goesOn) ? old : nullptr);
+  if (heightsStand && g->finalLines == old->finalLines && sameColours(*snapshot, *old->snapshot) &&
+      options.colouring == old->options.colouring && options.colourMap == old->options.colourMap &&
+      options.cloudRange == old->options.cloudRange) {
     g->cloudRgb = old->cloudRgb;
     g->classCounts = old->classCounts;
     g->cloudScale = old->cloudScale;

@@ -38,11 +38,18 @@ struct CloudGeometry {
   std::vector<PointRef> source;
 };
 
+/// What is known of a stream beside its newest snapshot.
+struct StreamStand {
+  int finalLines = std::numeric_limits<int>::max();  ///< lines from this one on may change yet: dimmed
+  bool goesOn = false;  ///< the geometry before shows an earlier state of the same stream
+};
+
 /// What the views draw. Immutable; made off the window's thread. Parts that did not change are shared with
 /// the one before.
 struct ViewGeometry {
   SnapshotPtr snapshot;
   ViewOptions options;
+  int finalLines = std::numeric_limits<int>::max();  ///< see StreamStand
 
   std::shared_ptr<const CloudGeometry> cloud;
   std::shared_ptr<const std::vector<std::uint8_t>> cloudRgb;  ///< three a point, in cloud's order
@@ -69,7 +76,7 @@ using ViewGeometryPtr = std::shared_ptr<const ViewGeometry>;
 
 /// Takes over from `previous` whatever still holds. Deterministic.
 ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options,
-                                  const ViewGeometryPtr& previous = {});
+                                  const ViewGeometryPtr& previous = {}, const StreamStand& stream = {});
 
 /// Label of the plane a point belongs to, and its class; kNoPlane and Unknown where they are not known.
 PlaneLabel labelOf(const Snapshot& snapshot, PointRef point);

@@ -22,7 +22,7 @@ struct Options {
 };
 
 Status serve(const Options& options) {
-  auto scans = scanSupply(options.play);
+  auto scans = openSupply(playRequest(options.play));
   if (!scans) return scans.error();
   // What cannot be sent should be said before anyone listens.
   const ScanPtr first = (*scans)(0);

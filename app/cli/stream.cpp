@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <malloc.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,11 +10,10 @@
 #include "app/cli/progress.h"
 #include "app/cli/stream_arguments.h"
 #include "app/cli/text_table.h"
+#include "app/steady_memory.h"
 #include "io/export.h"
 #include "io/file_util.h"
 #include "stream/live_session.h"
-#include "stream/replay.h"
-#include "stream/telegram_source.h"
 
 namespace stratascope::cli {
 namespace {
@@ -31,18 +28,19 @@ struct Options {
 };
 
 Expected<std::unique_ptr<RowSource>> sourceFor(const Options& options) {
-  if (!looksLikeStreamAddress(options.play.scan)) {
-    auto scans = scanSupply(options.play);
-    if (!scans) return scans.error();
-    return makeReplay(*std::move(scans), {.speed = options.play.speed});
+  StreamRequest request;
+  request.address = options.play.scan;
+  request.speed = options.play.speed;
+  if (looksLikeDeviceAddress(request.address)) {
+    const auto address = streamAddressFromText(request.address);
+    if (!address) throw BadArguments(address.error().message());
+  } else {
+    request.play = playRequest(options.play);
   }
-  const auto address = streamAddressFromText(options.play.scan);
-  if (!address) throw BadArguments(address.error().message());
-  TelegramSourceOptions telegrams;
-  telegrams.motion = options.motion;
-  telegrams.giveUp = std::chrono::milliseconds(static_cast<std::int64_t>(options.giveUp * 1000));
-  telegrams.endWhenRefused = options.untilEnd;
-  return makeDeviceSource(*address, telegrams);
+  request.telegrams.motion = options.motion;
+  request.telegrams.giveUp = std::chrono::milliseconds(static_cast<std::int64_t>(options.giveUp * 1000));
+  request.telegrams.endWhenRefused = options.untilEnd;
+  return openStream(request);
 }
 
 std::string progressLine(const LiveProgress& p) {
@@ -82,16 +80,14 @@ Status stream(const Options& options) {
   if (!source) return source.error();
 
   LiveOptions live;
-  live.path = options.play.scan;
+  const std::string file = playedFile(options.play.scan);
+  live.path = file.empty() ? options.play.scan : file;
   live.params = settings->params;
   live.threads = options.params.execution().threads;
   live.scans = options.untilEnd ? 0 : 1;
   if (!settings->poses.empty()) live.pose = settings->poses[0];
   catchInterrupts();
-  // A stream may run for days, and computes whole lattices again and again: their memory goes back to the
-  // system each time, and does not leave holes in the heap.
-  constexpr int kLargeBlock = 1 << 18;
-  mallopt(M_MMAP_THRESHOLD, kLargeBlock);
+  returnLargeBlocks();
   LiveSession session(*std::move(source), live);
   bool stopping = false;
   while (!session.waitFinished(std::chrono::milliseconds(100))) {
@@ -135,7 +131,8 @@ void addStream(CLI::App& app, Action& action) {
   command
       ->add_option(
           "SOURCE", options->play.scan,
-          "tcp://HOST:PORT, serial:DEVICE?baud=500000, or a scan file or scene (.json) to be replayed")
+          "tcp://HOST:PORT, serial:DEVICE?baud=500000, or a scan file or scene (.json) to be replayed, "
+          "with or without replay: before it")
       ->required();
   command->add_option("--out", options->out, "Directory for the results; made if missing")->required();
   command->add_flag(

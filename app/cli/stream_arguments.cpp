@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/stream_arguments.h"
 
-#include <algorithm>
-#include <limits>
-
-#include "io/scan_io.h"
+#include <map>
 
 namespace stratascope::cli {
 
@@ -16,32 +13,28 @@ void PlayOptions::addTo(CLI::App& command) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command.add_flag("--loop", loop, "Scans again and again; a scene with another seed each time");
-  command.add_option("--seed", simulated.simulation.seed, "A scene's seed of the noise")
-      ->capture_default_str();
-  command.add_option("--moving", moving,
+  command.add_option("--seed", play.simulation.seed, "A scene's seed of the noise")->capture_default_str();
+  command.add_option("--noise", play.simulation.noise, "A scene's noise: none, or lms200, the scanner's own")
+      ->transform(CLI::Transformer(
+          std::map<std::string, NoiseModel>{{"none", NoiseModel::None}, {"lms200", NoiseModel::Lms200}}))
+      ->default_str("lms200");
+  command
+      .add_option("--head", play.head,
+                  "Head over a scene: scene (as the scene says), steps, or turns while the mirror does")
+      ->transform(CLI::Transformer(std::map<std::string, HeadMode>{
+          {"scene", HeadMode::AsTheScene}, {"steps", HeadMode::Steps}, {"turns", HeadMode::Turns}}))
+      ->default_str("scene");
+  command.add_option("--moving", play.moving,
                      "Name of an item of the scene that walks to and fro from scan to scan");
 }
 
-Expected<ScanSupply> scanSupply(const PlayOptions& options) {
-  const Rounds rounds = options.loop ? Rounds::Endless : Rounds::Once;
-  if (!options.scan.ends_with(".json")) {
-    if (!options.moving.empty()) throw BadArguments("--moving: only a scene has items that can move");
-    auto scan = readScan(options.scan);
-    if (!scan) return scan.error();
-    return supplyOf(std::make_shared<const Scan>(*std::move(scan)), rounds);
-  }
-  auto scene = loadScene(options.scan);
-  if (!scene) return scene.error();
-  SimulatedScans simulated = options.simulated;
-  simulated.rounds = rounds;
-  if (!options.moving.empty()) {
-    const auto item = std::find_if(scene->items.begin(), scene->items.end(),
-                                   [&](const Scene::Item& i) { return i.name == options.moving; });
-    if (item == scene->items.end())
-      return Error{options.scan, "", "has no item named \"" + options.moving + "\"", "name one of its items"};
-    simulated.movingItem = static_cast<int>(item - scene->items.begin());
-  }
-  return supplyOf(*std::move(scene), simulated);
+PlayRequest playRequest(const PlayOptions& options) {
+  PlayRequest request = options.play;
+  request.file = playedFile(options.scan);
+  request.rounds = options.loop ? Rounds::Endless : Rounds::Once;
+  if (!request.moving.empty() && !isScene(request.file))
+    throw BadArguments("--moving: only a scene has items that can move");
+  return request;
 }
 
 }  // namespace stratascope::cli

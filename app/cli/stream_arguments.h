@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/command.h"
-#include "stream/scan_supply.h"
+#include "stream/open_stream.h"
 
 namespace stratascope::cli {
 
@@ -12,13 +12,12 @@ struct PlayOptions {
   std::string scan;
   double speed = 1;
   bool loop = false;
-  SimulatedScans simulated;
-  std::string moving;
+  PlayRequest play;
 
   void addTo(CLI::App& command);
 };
 
-/// A scan file, or a scene (.json) that is scanned as it is played. Errors: the file.
-Expected<ScanSupply> scanSupply(const PlayOptions& options);
+/// Checked, with everything but the file. Throws BadArguments.
+PlayRequest playRequest(const PlayOptions& options);
 
 }  // namespace stratascope::cli

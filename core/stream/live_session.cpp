@@ -7,6 +7,7 @@
 #include <deque>
 #include <mutex>
 #include <thread>
+#include <unordered_map>
 
 namespace stratascope {
 namespace {
@@ -16,16 +17,48 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kItemWait{10};
 constexpr int kItemsAtOnce = 64;
+/// Regions grow anew in every snapshot, and at their borders single neurons go to and fro until the end.
+constexpr double kMostUnsettled = 0.05;
 
-/// Leading lines with the same classes and plane labels.
-int sameLines(const Snapshot& a, const Snapshot& b) {
-  const auto &p = a.scans.at(0), &q = b.scans.at(0);
+/// A plane has another label once a new neuron is its first, so planes are compared by what they share.
+std::unordered_map<PlaneLabel, PlaneLabel> formerLabels(std::span<const PlaneLabel> before,
+                                                        std::span<const PlaneLabel> now) {
+  std::unordered_map<std::uint64_t, size_t> shared;
+  const size_t count = std::min(before.size(), now.size());
+  for (size_t i = 0; i < count;) {
+    size_t end = i + 1;
+    while (end < count && now[end] == now[i] && before[end] == before[i]) ++end;
+    if (before[i] != kNoPlane && now[i] != kNoPlane)
+      shared[std::uint64_t{now[i]} << 32 | before[i]] += end - i;
+    i = end;
+  }
+  std::unordered_map<PlaneLabel, std::pair<size_t, PlaneLabel>> best;
+  for (const auto& [key, points] : shared) {
+    auto& most = best[static_cast<PlaneLabel>(key >> 32)];
+    // The larger label of equals: no order of a hash map may show.
+    most = std::max(most, std::pair{points, static_cast<PlaneLabel>(key & 0xffffffffu)});
+  }
+  std::unordered_map<PlaneLabel, PlaneLabel> former{{kNoPlane, kNoPlane}};
+  for (const auto& [label, most] : best) former[label] = most.second;
+  return former;
+}
+
+/// Leading lines that have settled, see LiveProgress::steady.
+int settledLines(const Snapshot& before, const Snapshot& now) {
+  const auto &p = before.scans.at(0), &q = now.scans.at(0);
+  const int cols = q.classes->classes.cols();
   const int rows = std::min(p.classes->classes.rows(), q.classes->classes.rows());
-  if (p.classes->classes.cols() != q.classes->classes.cols()) return 0;
+  if (p.classes->classes.cols() != cols) return 0;
+  const auto former = formerLabels(p.planes->labels.values(), q.planes->labels.values());
   for (int i = 0; i < rows; ++i) {
-    const bool same = std::ranges::equal(p.classes->classes.row(i), q.classes->classes.row(i)) &&
-                      std::ranges::equal(p.planes->labels.row(i), q.planes->labels.row(i));
-    if (!same) return i;
+    const auto classBefore = p.classes->classes.row(i), classNow = q.classes->classes.row(i);
+    const auto planeBefore = p.planes->labels.row(i), planeNow = q.planes->labels.row(i);
+    int changed = 0;
+    for (size_t j = 0; j < static_cast<size_t>(cols); ++j) {
+      const auto at = former.find(planeNow[j]);
+      changed += classBefore[j] != classNow[j] || at == former.end() || at->second != planeBefore[j];
+    }
+    if (changed > kMostUnsettled * cols) return i;
   }
   return rows;
 }
@@ -41,10 +74,11 @@ struct LiveSession::State {
 
   /// A scan that was given to the pipeline, and what was known of it then.
   struct Submitted {
-    ScanPtr scan;
+    std::weak_ptr<const Scan> scan;  ///< gone once another has taken its place in the worker's slot
     int arrived;
     bool last;   ///< of a scan that has ended
     bool final;  ///< and so has the stream
+    bool computed = false;
   };
 
   const std::unique_ptr<RowSource> source;
@@ -64,7 +98,7 @@ struct LiveSession::State {
   LiveScan live;
   bool dirty = false;
   int scansEnded = 0;
-  Clock::time_point lastSubmit{};
+  Clock::time_point lastSubmit{}, lastLine{};
 
   Worker worker{[this] { takeFromWorker(); }, options.threads};  ///< after what its thread touches
   std::jthread thread;                                           ///< last: ends first
@@ -95,6 +129,7 @@ struct LiveSession::State {
       for (int n = 0; item;
            item = ++n < kItemsAtOnce && !scanEnded ? source->next(milliseconds(0)) : std::nullopt) {
         scanEnded = std::holds_alternative<StreamScanEnd>(*item);
+        if (std::holds_alternative<StreamLine>(*item)) lastLine = Clock::now();
         live.take(*item);
         dirty = true;
       }
@@ -124,6 +159,7 @@ struct LiveSession::State {
                         progress.scanEnded == live.ended() && progress.state == state &&
                         progress.counters == counters && progress.message == message;
       if (same) return;
+      progress.lastLine = lastLine;
       progress.lines = live.lines();
       progress.arrived = live.arrived();
       progress.scanEnded = live.ended();
@@ -151,10 +187,17 @@ struct LiveSession::State {
     lastSubmit = now;
     // Under the lock, so that no older parameters overtake those of setParams().
     const std::lock_guard lock(mutex);
+    // A complete scan goes before what was computed of it so far, but not before a complete one that came
+    // earlier: a sender faster than the pipeline would see to it that nothing is ever shown.
+    std::erase_if(submitted, [](const Submitted& s) { return s.scan.expired(); });
+    const bool oneIsComplete = workerBusy && std::ranges::any_of(submitted, [](const Submitted& s) {
+                                 return s.last && !s.computed;
+                               });
     workerBusy = true;
     progress.finished = false;
     submitted.push_back({scan, live.arrived(), last, sourceEnded});
-    worker.request(std::vector{std::move(scan)}, params, last ? ScanChange::Replaced : ScanChange::Grown);
+    worker.request(std::vector{std::move(scan)}, params,
+                   last && !oneIsComplete ? ScanChange::Replaced : ScanChange::Grown);
   }
 
   /// The stream has ended, and all of it has been given to the pipeline already.
@@ -164,6 +207,7 @@ struct LiveSession::State {
       if (!submitted.empty()) submitted.back().last = submitted.back().final = true;
       if (workerBusy) return;  // it will be told by the worker
       progress.finished = true;
+      if (newest) progress.steady = newest->scans.at(0).scan->lattice->lines();
     }
     changed.notify_all();
     tell();
@@ -182,11 +226,12 @@ struct LiveSession::State {
         const SnapshotPtr before = std::exchange(newest, std::move(update.snapshot));
         taken = false;
         const ScanPtr& scan = newest->scans.at(0).scan;
-        while (!submitted.empty() && submitted.front().scan != scan) submitted.pop_front();
+        while (!submitted.empty() && submitted.front().scan.lock() != scan) submitted.pop_front();
         if (!submitted.empty()) {
-          const Submitted& of = submitted.front();
+          Submitted& of = submitted.front();
+          of.computed = true;
           progress.computed = of.arrived;
-          progress.steady = of.last ? scan->lattice->lines() : before ? sameLines(*before, *newest) : 0;
+          progress.steady = of.last ? scan->lattice->lines() : before ? settledLines(*before, *newest) : 0;
         }
       }
       finished = !update.busy && !submitted.empty() && submitted.back().final;
@@ -225,6 +270,11 @@ void LiveSession::setParams(const PipelineParams& params) {
   s.worker.request(std::nullopt, params);
 }
 
+void LiveSession::cancel() {
+  state_->worker.cancel();
+  state_->takeFromWorker();
+}
+
 Transport* LiveSession::transport() {
   return state_->source->transport();
 }
@@ -241,12 +291,15 @@ LiveUpdate LiveSession::take() {
   s.taken = true;
   update.error = std::exchange(s.error, std::nullopt);
   update.progress = s.progress;
+  update.progress.busy = s.workerBusy;
   return update;
 }
 
 LiveProgress LiveSession::progress() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->progress;
+  LiveProgress progress = state_->progress;
+  progress.busy = state_->workerBusy;
+  return progress;
 }
 
 SnapshotPtr LiveSession::snapshot() const {

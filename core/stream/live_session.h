@@ -14,11 +14,14 @@ struct LiveProgress {
   int lines = 0;     ///< rows of the lattice: the final number if it is known, else those so far
   int arrived = 0;   ///< distinct lines of the scan under way
   int computed = 0;  ///< of those, how many the newest snapshot holds
-  /// Leading lines whose classes and planes were the same in the last two snapshots; all when the scan has
-  /// ended and is computed. Planes are global, so a later line can still change an earlier one.
+  /// Leading lines of which at most one neuron in twenty changed its class or plane between the last two
+  /// snapshots; all when the scan has ended and is computed. Planes are global, so a later line can still
+  /// change an earlier one.
   int steady = 0;
-  bool scanEnded = false;  ///< no more lines of this scan will come
-  bool finished = false;   ///< the stream has ended, and what arrived is computed
+  bool scanEnded = false;                            ///< no more lines of this scan will come
+  bool finished = false;                             ///< the stream has ended, and what arrived is computed
+  bool busy = false;                                 ///< something is being computed
+  std::chrono::steady_clock::time_point lastLine{};  ///< when the newest line was taken
   StreamState state = StreamState::Connecting;
   StreamCounters counters;
   std::string message;  ///< of the source, one line
@@ -53,6 +56,8 @@ public:
   ~LiveSession();
 
   void setParams(const PipelineParams& params);
+  /// Stops the computation that is under way; the last snapshot stays. The stream goes on.
+  void cancel();
   /// Play, pause, speed, scrub; null for a device.
   Transport* transport();
   /// Ends the stream and keeps what arrived; its result still comes (progress().finished).

@@ -59,7 +59,8 @@ public:
   }
   StreamState state() const override {
     const std::lock_guard lock(mutex_);
-    if (stopped_ || (finished_ && (atEnd_ || !scan_))) return StreamState::Ended;
+    const bool goesBack = seek_ && scan_;  // asked for, and not yet done
+    if (stopped_ || (finished_ && !goesBack && (atEnd_ || !scan_))) return StreamState::Ended;
     return paused_ ? StreamState::Paused : StreamState::Receiving;
   }
   StreamCounters counters() const override {

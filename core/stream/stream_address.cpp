@@ -49,7 +49,7 @@ Expected<StreamAddress> serialAddress(const std::string& text) {
 
 }  // namespace
 
-bool looksLikeStreamAddress(const std::string& text) {
+bool looksLikeDeviceAddress(const std::string& text) {
   return text.starts_with(kTcp) || text.starts_with(kSerial);
 }
 

@@ -39,7 +39,7 @@ struct StreamAddress {
   std::uint16_t port = 0;
   unsigned baud = 500000;
 };
-bool looksLikeStreamAddress(const std::string& text);
+bool looksLikeDeviceAddress(const std::string& text);
 Expected<StreamAddress> streamAddressFromText(const std::string& text);
 /// The source for an address: TCP waits when its queue is full, a serial line drops.
 std::unique_ptr<RowSource> makeDeviceSource(const StreamAddress& address, TelegramSourceOptions options = {});

@@ -126,12 +126,32 @@ TEST_F(CliStream, ServeAndStreamEndWithTheFilesOfProcess) {
     EXPECT_EQ(document["stream"][key], 0) << key;
 }
 
+TEST_F(CliStream, AReplayIsToldByItsAddressAndASceneByItsNoiseAndHead) {
+  const auto done = [&](const std::string& name, std::vector<std::string> arguments) {
+    Process process(folder_, name, std::move(arguments));
+    EXPECT_EQ(process.wait(), 0) << process.err();
+  };
+  done("p", {"process", folder_ / "scan.pcd", "--out", folder_ / "p"});
+  done("r", {"stream", "replay:" + (folder_ / "scan.pcd"), "--speed", "0", "--out", folder_ / "r"});
+  EXPECT_EQ(cloud("r"), cloud("p"));
+  EXPECT_EQ(run("r")["inputs"][0]["sha256"], run("p")["inputs"][0]["sha256"]);
+  done("simulate", {"simulate", folder_ / "scene.json", "--noise", "none", "-o", folder_ / "still.pcd"});
+  done("n", {"process", folder_ / "still.pcd", "--out", folder_ / "n"});
+  const std::string scene = "replay:" + (folder_ / "scene.json");
+  done("s", {"stream", scene, "--speed", "0", "--noise", "none", "--out", folder_ / "s"});
+  EXPECT_EQ(cloud("s"), cloud("n"));
+  done("t", {"stream", scene, "--speed", "0", "--noise", "none", "--head", "turns", "--out", folder_ / "t"});
+  EXPECT_NE(cloud("t"), cloud("n"));
+}
+
 TEST_F(CliStream, InterruptKeepsWhatArrived) {
   Process serve(
       folder_, "serve",
       {"serve", folder_ / "scene.json", "--port", "0", "--speed", "2", "--loop", "--moving", "crate"});
   const std::string address = serve.firstLine();
   Process stream(folder_, "stream", {"stream", address, "--out", folder_ / "s"});
+  for (int i = 0; i < 6000 && serve.err().find("listener") == std::string::npos; ++i)
+    std::this_thread::sleep_for(10ms);
   std::this_thread::sleep_for(700ms);
   stream.interrupt();
   EXPECT_EQ(stream.wait(), 0) << stream.err();

@@ -174,6 +174,27 @@ TEST(StreamLive, ASessionEndsWithTheBatchResult) {
     }
 }
 
+TEST(StreamLive, ScansThatComeFasterThanTheyAreComputedAreShownAndDoNotPileUp) {
+  // Without a pause a scan is here long before the one before it is computed.
+  const ScanPtr scan = streamScan({.seed = 43, .lines = 130, .beams = 121});
+  LiveSession session(replayOf(scan, 0, Rounds::Endless), {.path = "replay"});
+  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  size_t early = 0;
+  int complete = 0;
+  while ((complete < 6 || session.progress().counters.scans < 400) &&
+         std::chrono::steady_clock::now() < deadline) {
+    const LiveUpdate update = session.take();
+    complete += update.snapshot && update.progress.computed == 130;
+    if (complete >= 2 && early == 0) early = test::residentBytes();
+    std::this_thread::sleep_for(5ms);
+  }
+  EXPECT_GE(complete, 6);
+  EXPECT_GE(session.progress().counters.scans, 400u);
+  EXPECT_LT(test::residentBytes(), early + (16u << 20));  // 400 scans are 75 MB
+  session.stop();
+  ASSERT_TRUE(session.waitFinished(60s));
+}
+
 TEST(StreamLive, OverTcpInAnyChunksItIsTheSame) {
   const ScanPtr scan = streamScan({.seed = 42, .lines = 130, .beams = 121});
   const SnapshotPtr wanted = batch(scan);
