@@ -119,11 +119,13 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   statusBar()->setFixedHeight(fontMetrics().height() + 16);
 
   buildDocks();
+  buildScanParts();
   actions_ = new Actions(*this, *session_, *cut_);
   connectParts();
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
   session_->restore(*this);
+  offerRecovery();
 }
 
 MainWindow::~MainWindow() = default;
@@ -320,6 +322,7 @@ void MainWindow::takeGeometry() {
   actions_->setHasResult(true);
   log_->add(computedText(snapshot));
   if (!otherScans) return;
+  const bool arranged = arrangeViews();
 
   pages_->setCurrentWidget(views_);
   QStringList names;
@@ -330,6 +333,7 @@ void MainWindow::takeGeometry() {
   setWindowTitle(tr("%1 — Stratascope")
                      .arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
                                            : names.join(QStringLiteral(", "))));
+  if (arranged) return;
   // The views get their size in the next turn of the event loop.
   QTimer::singleShot(0, this, [this] { views_->look(ViewDirection::Iso); });
 }

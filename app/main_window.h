@@ -8,7 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/scan_desk.h"
+#include "app/window_state.h"
 #include "io/scan_io.h"
+#include "io/session_file.h"
 #include "widgets/background.h"
 #include "widgets/pipeline_bridge.h"
 #include "widgets/selection.h"
@@ -21,15 +24,19 @@ class QTimer;
 namespace stratascope {
 
 class Actions;
+class Autosave;
 class CutControl;
+class FramePanel;
 class HelpPanel;
 class LogPanel;
 class MessageBar;
+class OfferBar;
 class ParamHistory;
 class ParamPanel;
 class PlanePanel;
 class PresetBar;
 class ProbePanel;
+class ScanPanel;
 class Session;
 class StageStrip;
 class StatusStrip;
@@ -48,6 +55,10 @@ public:
   /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a
   /// file, or none.
   void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
+  /// The same scans, parameters and pictures as when it was saved. Recovered: left behind by a crash.
+  void openSession(const QString& path, bool recovered = false);
+  bool saveSession(const QString& path);
+  SessionFile session() const;
   void setParams(const PipelineParams& params);
   /// The same as a step that can be undone under that name.
   void changeParams(const PipelineParams& params, const QString& what);
@@ -74,6 +85,9 @@ public:
   MessageBar& messageBar() { return *message_; }
   LogPanel& log() { return *log_; }
   HelpPanel& help() { return *help_; }
+  ScanDesk& desk() { return *desk_; }
+  OfferBar& offer() { return *offer_; }
+  Autosave& autosave() { return *autosave_; }
   PlanePanel& planes() { return *planes_; }
   QString hint() const;
 
@@ -82,6 +96,10 @@ public slots:
   void reload();
   void exportResultsTo();
   void savePicture();
+  void chooseSession();
+  void saveSessionTo();
+  /// Units, axes and poses of the open files.
+  void showFrames();
   void loadParamsFrom();
   void saveParamsTo();
   void copyCommandLine();
@@ -111,6 +129,17 @@ private:
   void note(const QString& text);
   void exportTo(const QString& directory);
 
+  void buildScanParts();
+  void offerRecovery();
+  void takeScans(ScanDesk::Change change);
+  void changeDesk(const std::vector<DeskFile>& files, const QString& what);
+  void showScan(int row, bool shown);
+  void showScans();
+  /// Other scans are on screen; true if they are to be seen as before.
+  bool arrangeViews();
+  WindowState presentLook() const;
+  void lookAs(const WindowState& state);
+
   Selection selection_;
   PipelineBridge* bridge_;
   ViewArea* views_;
@@ -136,12 +165,28 @@ private:
   Session* session_;
   Actions* actions_;
 
-  QStringList paths_;
-  std::vector<Eigen::Isometry3d> poses_;
+  /// A session whose scans are being read.
+  struct Opening {
+    QString path;
+    PipelineParams params;
+    WindowState window;
+    bool recovered = false;
+  };
+  ScanDesk* desk_;
+  ScanPanel* scanPanel_;
+  FramePanel* framePanel_;
+  QDockWidget* frameDock_;
+  OfferBar* offer_;
+  OfferBar* guessed_;
+  Autosave* autosave_;
+  QString offered_;
+  std::optional<Opening> opening_;
+  std::optional<WindowState> arriving_;  ///< how the scans now being computed are to be looked at
+  bool keepView_ = false;
+  bool scansShownOnce_ = false;
   std::vector<ScanPtr> shownScans_;
   double shownCell_ = 0;
   int reading_ = 0;
-  int requested_ = 0;  ///< opening a newer file makes an older reading pointless
   int stage_ = -1;
   // Last: its jobs end before what they report to goes.
   Background background_;

@@ -29,74 +29,16 @@ QString fileFilter() {
   for (const FormatInfo& format : scanFormats())
     for (const char* extension : format.extensions) patterns << QStringLiteral("*") + extension;
   patterns.removeDuplicates();
+  patterns << QStringLiteral("*.stratascope");
   return QObject::tr("Scans (%1);;All files (*)").arg(patterns.join(' '));
 }
 
-struct ReadResult {
-  std::vector<ScanPtr> scans;
-  QString error;
-};
-
-ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eigen::Isometry3d>& poses) {
-  ReadResult out;
-  try {
-    for (size_t i = 0; i < paths.size(); ++i) {
-      ReadOptions options;
-      if (!poses.empty()) options.pose = poses[i];
-      Expected<Scan> scan = readScan(paths[i], options);
-      if (!scan) {
-        out.error = QString::fromStdString(scan.error().message());
-        return out;
-      }
-      out.scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
-    }
-  } catch (const std::exception& e) {
-    out.error = QObject::tr("%1: could not be read: %2")
-                    .arg(QString::fromStdString(paths.empty() ? std::string() : paths.front()),
-                         QString::fromUtf8(e.what()));
-  }
-  return out;
-}
-
 }  // namespace
-
-void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
-  if (paths.isEmpty()) return;
-  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()),
-          "openFiles: one pose a file, or none");
-  std::vector<std::string> names;
-  for (const QString& path : paths) names.push_back(native(path));
-  const int request = ++requested_;
-  ++reading_;
-  showProgress();
-  background_.run(
-      this, [names, poses] { return readAll(names, poses); },
-      [this, paths, poses, request](ReadResult result) {
-        --reading_;
-        if (request == requested_) {
-          if (result.error.isEmpty()) {
-            message_->hide();
-            paths_ = paths;
-            poses_ = poses;
-            session_->addRecent(paths);
-            bridge_->setScans(std::move(result.scans));
-            emit opened();
-          } else {
-            showError(result.error);
-          }
-        }
-        showProgress();
-      });
-}
 
 void MainWindow::chooseFiles() {
   const QStringList paths =
       QFileDialog::getOpenFileNames(this, tr("Open scans"), session_->lastDirectory(), fileFilter());
   openFiles(paths);
-}
-
-void MainWindow::reload() {
-  if (!paths_.isEmpty()) openFiles(paths_, poses_);
 }
 
 void MainWindow::exportResultsTo() {
@@ -164,8 +106,8 @@ void MainWindow::saveParamsTo() {
 
 void MainWindow::copyCommandLine() {
   QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")};
-  for (QString path : paths_)
-    words << QStringLiteral("'") + path.replace('\'', "'\\''") + QStringLiteral("'");
+  for (const DeskFile& file : desk_->files())
+    words << QStringLiteral("'") + QString(file.path).replace('\'', "'\\''") + QStringLiteral("'");
   words << QStringLiteral("--out") << QStringLiteral("results");
   const QString options = QString::fromStdString(paramsAsOptions(params_->params()));
   if (!options.isEmpty()) words << options;

@@ -18,6 +18,7 @@ class Session : public QObject {
 public:
   explicit Session(bool keep, QObject* parent = nullptr);
 
+  bool keeps() const { return keep_; }
   QStringList recentFiles() const { return recent_; }
   void addRecent(const QStringList& paths);
   QString lastDirectory() const;
