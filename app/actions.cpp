@@ -85,8 +85,9 @@ void Actions::buildFileMenu() {
   file->addSeparator();
   add(file, tr("Open s&ession…"), {}, {}, tr("Scans, parameters and view as they were saved"),
       [this] { window_.chooseSession(); });
-  QAction* save = add(file, tr("Save sess&ion…"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+S")),
-                      tr("Save scans, parameters and view, to go on later"), [this] { window_.saveSessionTo(); });
+  QAction* save =
+      add(file, tr("Save sess&ion…"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+S")),
+          tr("Save scans, parameters and view, to go on later"), [this] { window_.saveSessionTo(); });
   needResult_.push_back(save);
   file->addSeparator();
   export_ = add(file, tr("&Export…"), "export", QKeySequence(QStringLiteral("Ctrl+E")),
@@ -94,6 +95,9 @@ void Actions::buildFileMenu() {
                 [this] { window_.exportResultsTo(); });
   picture_ = add(file, tr("&Save picture…"), "picture", QKeySequence::Save, tr("Save a picture of the views"),
                  [this] { window_.savePicture(); });
+  needResult_.push_back(add(file, tr("Save picture with si&ze…"), {}, {},
+                            tr("The views with as many pixels as you say"),
+                            [this] { window_.savePictureWithSize(); }));
   file->addSeparator();
   add(file, tr("&Quit"), {}, QKeySequence::Quit, {}, [this] { window_.close(); });
   needResult_.insert(needResult_.end(), {reload_, export_, picture_});
@@ -165,24 +169,26 @@ void Actions::buildViewMenu() {
   add(view, tr("Turn about the selection"), {}, QKeySequence(Qt::Key_O), {},
       [this] { window_.views().orbitSelection(); });
   view->addSeparator();
-  check(view, tr("&Ground grid"), QKeySequence(Qt::Key_G), true,
-        [this](bool on) { window_.views().setGrid(on); })
-      ->setObjectName("view_grid");
-  check(view, tr("&Plane outlines"), QKeySequence(Qt::Key_H), false,
-        [this](bool on) { window_.views().cloud()->setOutlines(on); })
-      ->setObjectName("view_outlines");
+  check(view, tr("&Ground grid"), QKeySequence(Qt::Key_G), true, [this](bool on) {
+    window_.views().setGrid(on);
+  })->setObjectName("view_grid");
+  check(view, tr("&Plane outlines"), QKeySequence(Qt::Key_H), false, [this](bool on) {
+    window_.views().cloud()->setOutlines(on);
+  })->setObjectName("view_outlines");
   QMenu* edges = view->addMenu(tr("&Edges"));
-  choose(edges, {tr("None"), tr("Vertical ones"), tr("All, by kind")}, 0,
-         [this](int i) { window_.views().cloud()->setEdges(static_cast<CloudView::Edges>(i)); },
-         "view_edges");
+  choose(
+      edges, {tr("None"), tr("Vertical ones"), tr("All, by kind")}, 0,
+      [this](int i) { window_.views().cloud()->setEdges(static_cast<CloudView::Edges>(i)); }, "view_edges");
   QMenu* map = view->addMenu(tr("&Colours"));
   QMenu* meaning = map->addMenu(tr("Of the maps"));
   QStringList names;
   for (int i = 0; i < kMapColourings; ++i) names << colouringName(static_cast<MapColouring>(i));
-  choose(meaning, names, 0, [this](int i) { window_.setMapColouring(static_cast<MapColouring>(i)); },
-         "view_maps");
-  choose(map, {tr("Viridis"), tr("Cividis")}, 0,
-         [this](int i) { window_.setColourMap(static_cast<ColourMap>(i)); }, "view_palette");
+  choose(
+      meaning, names, 0, [this](int i) { window_.setMapColouring(static_cast<MapColouring>(i)); },
+      "view_maps");
+  choose(
+      map, {tr("Viridis"), tr("Cividis")}, 0,
+      [this](int i) { window_.setColourMap(static_cast<ColourMap>(i)); }, "view_palette");
   QAction* lock = check(map, tr("Lock ranges"), QKeySequence(Qt::Key_K), false,
                         [this](bool on) { window_.lockRanges(on); });
   lock->setObjectName("view_lock");

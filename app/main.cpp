@@ -16,6 +16,7 @@
 #include "app/drag_bench.h"
 #include "app/language.h"
 #include "app/main_window.h"
+#include "app/picture_dialog.h"
 #include "io/export.h"
 #include "params/param_table.h"
 #include "widgets/theme.h"
@@ -26,7 +27,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   stratascope::cli::ParamOptions params;
-  std::string batch, theme = "system", size, language;
+  std::string batch, theme = "system", size, language, picture;
   std::vector<std::string> drag;
   bool measureDrag = false;
 };
@@ -102,7 +103,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
       if (arguments.drag.size() > 1) seconds = QString::fromStdString(arguments.drag[1]).toDouble();
       new DragBench(window, keys, seconds);
     } else {
-      new Batch(window, QFile::decodeName(arguments.batch.c_str()));
+      new Batch(window, QFile::decodeName(arguments.batch.c_str()),
+                pictureSizeFromText(QString::fromStdString(arguments.picture)));
     }
   }
   window.show();
@@ -134,6 +136,9 @@ int main(int argc, char** argv) {
   cli.add_option("--size", arguments.size,
                  "Size of the window with --batch: large (1600 × 1000) or small (1280 × 800)")
       ->check(CLI::IsMember({"large", "small"}));
+  cli.add_option(
+      "--picture", arguments.picture,
+      "With --batch: also write views.png, the three views in that many pixels, such as 1920x1080");
   CLI::Option* drag = cli.add_option("--measure-drag", arguments.drag,
                                      "Drag the slider of PARAM for SECONDS (default: those of the four main "
                                      "parameters, 2 s each), print how "
@@ -145,6 +150,12 @@ int main(int argc, char** argv) {
     cli.parse(argc, argv);
     if (!arguments.batch.empty() && arguments.files.empty())
       return complain("--batch needs a scan to open", 2);
+    if (!arguments.picture.empty()) {
+      if (arguments.batch.empty()) return complain("--picture goes with --batch", 2);
+      if (stratascope::pictureSizeFromText(QString::fromStdString(arguments.picture)).isEmpty())
+        return complain(
+            "--picture: '" + arguments.picture + "' is no size; give WIDTHxHEIGHT, each from 200 to 8192", 2);
+    }
     arguments.measureDrag = drag->count() > 0;
     std::erase(arguments.drag, "");  // the option without words
     if (arguments.measureDrag) {

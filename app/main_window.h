@@ -63,6 +63,11 @@ public:
   /// The same as a step that can be undone under that name.
   void changeParams(const PipelineParams& params, const QString& what);
 
+  /// The views as they are now, drawn with that many pixels.
+  QPixmap pictureOf(const QSize& pixels);
+  /// Asks where to.
+  void savePicture(const QPixmap& picture);
+
   void setMapColouring(MapColouring colouring);
   void setColourMap(ColourMap map);
   /// Keeps the ranges the scalar bars have now.
@@ -96,6 +101,7 @@ public slots:
   void reload();
   void exportResultsTo();
   void savePicture();
+  void savePictureWithSize();
   void chooseSession();
   void saveSessionTo();
   /// Units, axes and poses of the open files.

@@ -6,9 +6,11 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMessageBox>
 
 #include "app/main_window.h"
+#include "app/picture_dialog.h"
 #include "app/session.h"
 #include "io/export.h"
 #include "io/file_util.h"
@@ -70,10 +72,30 @@ void MainWindow::exportTo(const QString& directory) {
       });
 }
 
+QPixmap MainWindow::pictureOf(const QSize& pixels) {
+  // The views are what is drawn, so they take that size for a moment in which nothing reaches the screen.
+  const QSize before = views_->size();
+  const double ratio = views_->devicePixelRatioF();
+  views_->resize((QSizeF(pixels) / ratio).toSize());
+  views_->layout()->activate();
+  views_->renderNow();
+  QPixmap picture = views_->grab();
+  views_->resize(before);
+  views_->layout()->activate();
+  views_->renderNow();
+  // Whole pixels of a fractional ratio, and views that cannot be made so small.
+  if (picture.size() != pixels)
+    picture = picture.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  picture.setDevicePixelRatio(1);
+  return picture;
+}
+
 void MainWindow::savePicture() {
-  if (!snapshot()) return;
   // Grabbed before the dialog, which may cover the views.
-  const QPixmap picture = views_->grab();
+  if (snapshot()) savePicture(views_->grab());
+}
+
+void MainWindow::savePicture(const QPixmap& picture) {
   const QString path = QFileDialog::getSaveFileName(
       this, tr("Save picture of the views"), session_->lastDirectory() + QStringLiteral("/stratascope.png"),
       tr("PNG (*.png)"));
@@ -82,6 +104,10 @@ void MainWindow::savePicture() {
     note(tr("Saved %1").arg(path));
   else
     showError(tr("%1: cannot be written; choose another folder").arg(path));
+}
+
+void MainWindow::savePictureWithSize() {
+  if (snapshot()) (new PictureDialog(*this))->show();
 }
 
 void MainWindow::loadParamsFrom() {

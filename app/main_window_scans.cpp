@@ -72,10 +72,9 @@ void remember(const DeskFile& file) {
   QSettings settings;
   if (file.frame == FileFrame{} && !file.pose) return settings.remove(memoryKey(file.path));
   settings.setValue(memoryKey(file.path),
-                    stampOf(file.path) + QStringList{lengthUnitName(file.frame.unit),
-                                                     fileAxesName(file.frame.axes),
-                                                     file.pose ? poseText(poseNumbers(*file.pose)).remove(' ')
-                                                               : QString()});
+                    stampOf(file.path) +
+                        QStringList{lengthUnitName(file.frame.unit), fileAxesName(file.frame.axes),
+                                    file.pose ? poseText(poseNumbers(*file.pose)).remove(' ') : QString()});
 }
 
 bool recall(DeskFile& file) {
@@ -93,11 +92,15 @@ bool recall(DeskFile& file) {
 /// A step of the desk that can be undone; of no use once other files are open.
 class DeskCommand : public QUndoCommand {
 public:
-  DeskCommand(ScanDesk& desk, std::vector<DeskFile> before, std::vector<DeskFile> after, QString what)
-      : QUndoCommand(what), desk_(desk), before_(std::move(before)), after_(std::move(after)) {}
+  /// Poses change by many small steps, which are undone together.
+  DeskCommand(ScanDesk& desk, std::vector<DeskFile> before, std::vector<DeskFile> after, const QString& what)
+      : QUndoCommand(what), desk_(desk), before_(std::move(before)), after_(std::move(after)) {
+    for (size_t i = 0; i < after_.size(); ++i)
+      pose_ |= before_[i].frame == after_[i].frame && before_[i].pose && after_[i].pose;
+  }
   void undo() override { go(before_); }
   void redo() override { go(after_); }
-  int id() const override { return 2; }
+  int id() const override { return pose_ ? 2 : -1; }
   bool mergeWith(const QUndoCommand* next) override {
     const auto& other = static_cast<const DeskCommand&>(*next);
     if (other.text() != text() || other.before_ != after_) return false;
@@ -113,6 +116,7 @@ private:
   }
   ScanDesk& desk_;
   std::vector<DeskFile> before_, after_;
+  bool pose_ = false;
 };
 
 Eigen::AlignedBox3d boundsOf(const ScanDesk& desk, int file) {
@@ -132,7 +136,8 @@ QStringList texts(const std::vector<std::string>& sentences) {
 QString guessText(const std::vector<std::string>& notes) {
   QStringList found;
   for (const std::string& note : notes)
-    for (const char* begin : {"Unit guessed", "Axes guessed", "Far for metres", "This looks like a camera"})
+    for (const char* begin : {"Unit guessed", "Axes guessed", "Far for metres", "This looks like a camera",
+                              "The file does not say its unit"})
       if (note.starts_with(begin)) found << QString::fromStdString(note);
   return found.join(' ');
 }
@@ -193,9 +198,8 @@ void MainWindow::buildScanParts() {
     changed.pose = *pose;
     changeDesk(files, tr("Pose of %1").arg(QFileInfo(changed.path).fileName()));
   });
-  connect(scanPanel_, &ScanPanel::chosen, this, [this](int row) {
-    framePanel_->choose(desk_->entries()[static_cast<size_t>(row)].file);
-  });
+  connect(scanPanel_, &ScanPanel::chosen, this,
+          [this](int row) { framePanel_->choose(desk_->entries()[static_cast<size_t>(row)].file); });
 
   offer_ = new OfferBar;
   guessed_ = new OfferBar;
@@ -203,9 +207,9 @@ void MainWindow::buildScanParts() {
   column->insertWidget(1, offer_);
   column->insertWidget(2, guessed_);
   connect(guessed_, &OfferBar::taken, this, &MainWindow::showFrames);
-  const QString folder =
-      session_->keeps() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosave"
-                        : QString();
+  const QString folder = session_->keeps()
+                             ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosave"
+                             : QString();
   autosave_ = new Autosave(
       folder, [this] { return desk_->files().empty() ? std::nullopt : std::optional(session()); }, this);
   const auto touch = [this] { autosave_->touch(); };
@@ -454,9 +458,13 @@ void MainWindow::openSession(const QString& path, bool recovered) {
     const auto unit = lengthUnitFromText(input.units);
     const auto axes = fileAxesFromText(input.axes);
     if (!unit || !axes)
-      return showError(tr("%1: '%2', '%3' are no unit and axes; open its scans themselves")
-                           .arg(path, QString::fromStdString(input.units), QString::fromStdString(input.axes)));
-    files.push_back({QFile::decodeName(input.path.c_str()), {*unit, *axes}, sessionPose(input), input.hidden,
+      return showError(
+          tr("%1: '%2', '%3' are no unit and axes; open its scans themselves")
+              .arg(path, QString::fromStdString(input.units), QString::fromStdString(input.axes)));
+    files.push_back({QFile::decodeName(input.path.c_str()),
+                     {*unit, *axes},
+                     sessionPose(input),
+                     input.hidden,
                      input.sha256});
   }
   opening_ = Opening{path, session->params, windowFromJson(session->window), recovered};
@@ -464,8 +472,8 @@ void MainWindow::openSession(const QString& path, bool recovered) {
 }
 
 void MainWindow::chooseSession() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Open session"), session_->lastDirectory(), tr("Sessions (*.stratascope);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open session"), session_->lastDirectory(),
+                                                    tr("Sessions (*.stratascope);;All files (*)"));
   if (!path.isEmpty()) openSession(path);
 }
 

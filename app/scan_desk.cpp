@@ -53,18 +53,17 @@ ScanDesk::Result ScanDesk::readAll(const Request& request, const std::vector<Rea
         read.asked.sha256 = sha256Hex(*bytes);
         if (!file.sha256.empty() && file.sha256 != read.asked.sha256 && request.change == Change::Opened)
           result.other << file.path;
-        auto scans = bytes->empty() ? readAllScans(path, options)
-                                    : readAllScanBytes(path, std::move(*bytes), options);
+        auto scans =
+            bytes->empty() ? readAllScans(path, options) : readAllScanBytes(path, std::move(*bytes), options);
         if (!scans) {
           result.error = QString::fromStdString(scans.error().message());
           return result;
         }
         const Scan& first = scans->front();
         if (file.frame == FileFrame{} && !file.pose)
-          read.guess =
-              Guess{{lengthUnitFromText(first.fileUnit).value_or(LengthUnit::Metre),
-                     fileAxesFromText(first.fileAxes).value_or(FileAxes::ZUp)},
-                    first.notes};
+          read.guess = Guess{{lengthUnitFromText(first.fileUnit).value_or(LengthUnit::Metre),
+                              fileAxesFromText(first.fileAxes).value_or(FileAxes::ZUp)},
+                             first.notes};
         for (Scan& scan : *scans) {
           read.summaries.push_back(summarize(scan));
           read.scans.push_back(std::make_shared<const Scan>(std::move(scan)));
@@ -128,7 +127,8 @@ void ScanDesk::take(Result result) {
       files_.push_back(read_[i].asked);
       const std::vector<int>& hidden = read_[i].asked.hidden;
       for (size_t k = 0; k < read_[i].scans.size(); ++k)
-        entries_.push_back({static_cast<int>(i), static_cast<int>(k), read_[i].scans[k], read_[i].summaries[k],
+        entries_.push_back({static_cast<int>(i), static_cast<int>(k), read_[i].scans[k],
+                            read_[i].summaries[k],
                             std::binary_search(hidden.begin(), hidden.end(), static_cast<int>(k))});
     }
     emit scansChanged(request.change);

@@ -33,9 +33,8 @@ bool readNumbers(const QJsonValue& json, std::array<double, N>& values) {
 }
 
 QJsonObject cameraJson(const CameraState& c) {
-  return {{"position", numbers(c.position)}, {"focus", numbers(c.focus)},
-          {"up", numbers(c.up)},             {"centre", numbers(c.centre)},
-          {"angle", c.angleDeg},             {"scale", c.scale},
+  return {{"position", numbers(c.position)}, {"focus", numbers(c.focus)}, {"up", numbers(c.up)},
+          {"centre", numbers(c.centre)},     {"angle", c.angleDeg},       {"scale", c.scale},
           {"perspective", c.perspective}};
 }
 
@@ -74,8 +73,7 @@ QJsonObject selectionJson(const Selected& selected) {
   if (const auto* point = std::get_if<PointRef>(&selected))
     return {{"scan", point->scan}, {"point", static_cast<double>(point->offset)}};
   if (const auto* cell = std::get_if<CellIndex>(&selected)) return {{"k", cell->k}, {"l", cell->l}};
-  if (const auto* label = std::get_if<PlaneLabel>(&selected))
-    return {{"plane", static_cast<double>(*label)}};
+  if (const auto* label = std::get_if<PlaneLabel>(&selected)) return {{"plane", static_cast<double>(*label)}};
   return {};
 }
 

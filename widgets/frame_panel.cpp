@@ -17,24 +17,36 @@ namespace stratascope {
 
 QString unitText(LengthUnit unit) {
   switch (unit) {
-    case LengthUnit::Auto: break;
-    case LengthUnit::Metre: return FramePanel::tr("metres");
-    case LengthUnit::Centimetre: return FramePanel::tr("centimetres");
-    case LengthUnit::Millimetre: return FramePanel::tr("millimetres");
-    case LengthUnit::Foot: return FramePanel::tr("feet");
-    case LengthUnit::SurveyFoot: return FramePanel::tr("US survey feet");
+    case LengthUnit::Auto:
+      break;
+    case LengthUnit::Metre:
+      return FramePanel::tr("metres");
+    case LengthUnit::Centimetre:
+      return FramePanel::tr("centimetres");
+    case LengthUnit::Millimetre:
+      return FramePanel::tr("millimetres");
+    case LengthUnit::Foot:
+      return FramePanel::tr("feet");
+    case LengthUnit::SurveyFoot:
+      return FramePanel::tr("US survey feet");
   }
   return FramePanel::tr("automatic");
 }
 
 QString axesText(FileAxes axes) {
   switch (axes) {
-    case FileAxes::Auto: break;
-    case FileAxes::ZUp: return FramePanel::tr("z up, x forward, y left");
-    case FileAxes::YUp: return FramePanel::tr("y up, x right, z backward");
-    case FileAxes::YUpForward: return FramePanel::tr("y up, x right, z forward (left-handed)");
-    case FileAxes::YDown: return FramePanel::tr("y down, x right, z forward (camera)");
-    case FileAxes::ZDown: return FramePanel::tr("z down, x forward, y right");
+    case FileAxes::Auto:
+      break;
+    case FileAxes::ZUp:
+      return FramePanel::tr("z up, x forward, y left");
+    case FileAxes::YUp:
+      return FramePanel::tr("y up, x right, z backward");
+    case FileAxes::YUpForward:
+      return FramePanel::tr("y up, x right, z forward (left-handed)");
+    case FileAxes::YDown:
+      return FramePanel::tr("y down, x right, z forward (camera)");
+    case FileAxes::ZDown:
+      return FramePanel::tr("z down, x forward, y right");
   }
   return FramePanel::tr("automatic");
 }
@@ -77,7 +89,8 @@ FramePanel::FramePanel(QWidget* parent) : QWidget(parent) {
   size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   hasPose_ = new QCheckBox(tr("Give the sensor's pose"));
   hasPose_->setObjectName("frameHasPose");
-  hasPose_->setToolTip(tr("The points are in the sensor's own frame, and are moved by this pose into the map"));
+  hasPose_->setToolTip(
+      tr("The points are in the sensor's own frame, and are moved by this pose into the map"));
 
   auto* poses = new QGridLayout;
   poses->setContentsMargins(0, 0, 0, 0);
@@ -188,8 +201,7 @@ void FramePanel::showFile() {
   }
   back_->setEnabled(facts.asked != FileFrame{} || facts.pose);
   QStringList notes = facts.notes;
-  if (facts.scans > 1)
-    notes << tr("The file holds %1 scans with poses of their own.").arg(facts.scans);
+  if (facts.scans > 1) notes << tr("The file holds %1 scans with poses of their own.").arg(facts.scans);
   if (notes.isEmpty()) notes << tr("Nothing had to be guessed.");
   for (QString& note : notes) note.prepend(QStringLiteral("•  "));
   notes_->setText(notes.join('\n'));

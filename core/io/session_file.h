@@ -33,8 +33,8 @@ struct SessionInput {
 ///   version     of the program that wrote it
 ///   session     1, the version of this format
 ///   inputs      list of {path, sha256 (or null), pose (six numbers, or null), units, axes, hidden (numbers
-///               of scans, rising)}; all but path can be left out. A path below the session's folder is relative to it, so that both can be moved
-///               together
+///               of scans, rising)}; all but path can be left out. A path below the session's folder is
+///               relative to it, so that both can be moved together
 ///   parameters  as in --params
 ///   window      anything: see below
 /// Other keys are errors, as is a key given twice.
