@@ -14,6 +14,7 @@
 #include "app/batch.h"
 #include "app/cli/param_options.h"
 #include "app/drag_bench.h"
+#include "app/flat_window.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/picture_dialog.h"
@@ -64,6 +65,22 @@ std::string dragProblem(const std::vector<std::string>& words) {
                                                     : "--measure-drag: seconds must be from 0.1 to 600";
 }
 
+/// Whether a person would see a window.
+bool canShowWindows() {
+  const QString platform = QGuiApplication::platformName();
+  return platform != "offscreen" && !platform.startsWith("minimal") && platform != "vnc";
+}
+
+int runFlat(const QString& problem, const Arguments& arguments, const stratascope::cli::Settings& settings) {
+  stratascope::FlatWindow window(problem);
+  window.setParams(settings.params);
+  window.show();
+  QStringList files;
+  for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
+  window.openFiles(files, settings.poses);
+  return QApplication::exec();
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   using namespace stratascope;
   const auto settings = arguments.params.settings();
@@ -84,11 +101,16 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QCoreApplication::setApplicationVersion(versionText());
   QApplication app(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has just taken the user's
-  if (const QString problem = openGlProblem(); !problem.isEmpty()) return complain(problem.toStdString(), 1);
+  const bool batch = !arguments.batch.empty() || arguments.measureDrag;
+  const QString problem = openGlProblem();
+  if (!problem.isEmpty() && (batch || !canShowWindows())) return complain(problem.toStdString(), 1);
   applyTheme(Theme::System);
   speak(QString::fromStdString(arguments.language));
+  if (!problem.isEmpty()) {
+    complain(problem.toStdString() + "; showing the maps from above", 1);
+    return runFlat(problem, arguments, *settings);
+  }
 
-  const bool batch = !arguments.batch.empty() || arguments.measureDrag;
   MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
   if (arguments.theme != "system") applyTheme(arguments.theme == "dark" ? Theme::Dark : Theme::Light);
   window.setParams(settings->params);

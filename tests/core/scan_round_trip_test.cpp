@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <span>
 
 #include "base/units.h"
 #include "io/scan_io.h"
@@ -62,7 +63,8 @@ Scan randomScan(std::mt19937& random, bool posed) {
 
 /// What the file must hold: in the map frame.
 std::vector<Eigen::Vector3f> pointsInMap(const Scan& scan) {
-  std::vector<Eigen::Vector3f> points(scan.lattice->points().begin(), scan.lattice->points().end());
+  const std::span<const Eigen::Vector3f> all = scan.lattice->points().values();
+  std::vector<Eigen::Vector3f> points(all.begin(), all.end());
   const Eigen::Isometry3d& pose = scan.pose.map_T_scan;
   if (pose.matrix() != Eigen::Matrix4d::Identity())
     for (Eigen::Vector3f& p : points) p = (pose * p.cast<double>()).cast<float>();

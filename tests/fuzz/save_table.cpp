@@ -16,8 +16,8 @@ int main(int argc, char** argv) {
   }
   try {
     const std::filesystem::path folder = argv[1];
-    std::filesystem::create_directories(folder / "disk");
-    const KillResult kills = killDuringSaves(folder.string(), 100, 4);
+    for (const char* part : {"kills", "disk"}) std::filesystem::create_directories(folder / part);
+    const KillResult kills = killDuringSaves((folder / "kills").string(), 100, 4);
     std::printf("%-34s %8d kills, %d of them during a save: the file was whole %d times\n",
                 "killed while saving", kills.kills, kills.interrupted, kills.survived);
     const FullDisk disk = saveOnFullDisk((folder / "disk").string());

@@ -4,8 +4,13 @@
 // never ended by a signal.
 #include <gtest/gtest.h>
 
+#include <QElapsedTimer>
+#include <QLabel>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QTest>
+
+#include "app/flat_window.h"
 
 namespace stratascope {
 namespace {
@@ -67,6 +72,44 @@ TEST(NoOpenGl, IsSaidInOneLineWithWhatWorksAndWithoutASignal) {
     EXPECT_TRUE(lines[0].contains("OpenGL") || lines[0].contains("display")) << lines[0].toStdString();
   }
   EXPECT_GE(refused, 8) << "most of these cannot draw";
+}
+
+/// With a display the maps are still to be had.
+TEST(NoOpenGl, TheMapsAreShownFromAbove) {
+  const std::string path = STRATASCOPE_SOURCE_DIR "/sample_scans/stair_hall.pcd";
+  FlatWindow window("OpenGL is missing");
+  window.show();
+  window.openFiles({QString::fromStdString(path)});
+  QElapsedTimer timer;
+  timer.start();
+  while (!(window.idle() && window.bridge().geometry()) && timer.elapsed() < 120000) QTest::qWait(10);
+  ASSERT_TRUE(window.bridge().geometry());
+  EXPECT_TRUE(window.findChild<QLabel*>("flatReason")->text().contains("OpenGL is missing"));
+  const HeightMap& map = *window.bridge().geometry()->snapshot->heightMap;
+  ASSERT_EQ(window.heights().image().size(), QSize(map.frame.columns, map.frame.rows));
+  int seen = 0, right = 0;
+  for (int k = 0; k < map.frame.columns; ++k)
+    for (int l = 0; l < map.frame.rows; ++l) {
+      const size_t at = map.frame.offset({map.frame.kMin + k, map.frame.lMin + l});
+      const auto& first = window.bridge().geometry()->snapshot->intervalMap->first;
+      const bool drawn = qAlpha(window.records().image().pixel(k, map.frame.rows - 1 - l)) > 0;
+      seen += drawn;
+      right += drawn == (first[at] != first[at + 1]);
+    }
+  EXPECT_EQ(right, map.frame.columns * map.frame.rows);
+  EXPECT_GT(seen, 1000);
+  // Where the program itself ends up in such a place, it is this window that opens.
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("MESA_GL_VERSION_OVERRIDE", "2.1");
+  QProcess program;
+  program.setProcessEnvironment(environment);
+  program.start(STRATASCOPE_WINDOW, {QString::fromStdString(path)});
+  while (program.state() != QProcess::NotRunning && timer.elapsed() < 240000 &&
+         !program.readAllStandardError().contains("from above"))
+    QTest::qWait(20);
+  EXPECT_EQ(program.state(), QProcess::Running);
+  program.terminate();
+  program.waitForFinished();
 }
 
 }  // namespace
