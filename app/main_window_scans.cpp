@@ -330,8 +330,8 @@ void MainWindow::showScans() {
     size_t siblings = 0;
     for (const auto& other : desk_->entries()) siblings += other.file == entry.file;
     row.poseCanChange = siblings == 1;
-    row.tip = QString::fromStdString(scan.path) + '\n' + QString::fromStdString(scan.format) + '\n' +
-              texts(scan.notes).join('\n');
+    row.tip = QString::fromStdString(scan.path) + '\n' + row.pose + '\n' +
+              QString::fromStdString(scan.format) + '\n' + texts(scan.notes).join('\n');
     row.shown = !entry.hidden;
   }
   scanPanel_->setScans(rows);

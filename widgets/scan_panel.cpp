@@ -18,7 +18,6 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   table_->horizontalHeaderItem(kPose)->setToolTip(
       tr("x, y, z in metres; roll, pitch, yaw in degrees: by which the points are moved into the map"));
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
