@@ -57,12 +57,14 @@ QAction* Actions::check(QMenu* menu, const QString& text, const QKeySequence& ke
   return action;
 }
 
-void Actions::choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act) {
+void Actions::choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act,
+                     const char* name) {
   auto* group = new QActionGroup(this);
   for (int i = 0; i < names.size(); ++i) {
     QAction* action = menu->addAction(names[i]);
     action->setCheckable(true);
     action->setChecked(i == chosen);
+    if (name) action->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(name)).arg(i));
     group->addAction(action);
     connect(action, &QAction::triggered, this, [act, i] { act(i); });
   }
@@ -80,15 +82,27 @@ void Actions::buildFileMenu() {
   connect(&session_, &Session::recentChanged, this, &Actions::fillRecent);
   reload_ = add(file, tr("Re&load"), "reload", QKeySequence(Qt::Key_F5), tr("Read the files again"),
                 [this] { window_.reload(); });
+  add(file, tr("Units and a&xes…"), {}, QKeySequence(Qt::Key_U), tr("How the files' coordinates are read"),
+      [this] { window_.showFrames(); });
+  file->addSeparator();
+  add(file, tr("Open s&ession…"), {}, {}, tr("Scans, parameters and view as they were saved"),
+      [this] { window_.chooseSession(); });
+  QAction* save =
+      add(file, tr("Save sess&ion…"), {}, QKeySequence(QStringLiteral("Ctrl+Shift+S")),
+          tr("Save scans, parameters and view, to go on later"), [this] { window_.saveSessionTo(); });
+  needResult_.push_back(save);
   file->addSeparator();
   export_ = add(file, tr("&Export…"), "export", QKeySequence(QStringLiteral("Ctrl+E")),
                 tr("Write cloud, planes, edges and both maps into a folder"),
                 [this] { window_.exportResultsTo(); });
   picture_ = add(file, tr("&Save picture…"), "picture", QKeySequence::Save, tr("Save a picture of the views"),
                  [this] { window_.savePicture(); });
+  needResult_.push_back(add(file, tr("Save picture with si&ze…"), {}, {},
+                            tr("The views with as many pixels as you say"),
+                            [this] { window_.savePictureWithSize(); }));
   file->addSeparator();
   add(file, tr("&Quit"), {}, QKeySequence::Quit, {}, [this] { window_.close(); });
-  needResult_ = {reload_, export_, picture_};
+  needResult_.insert(needResult_.end(), {reload_, export_, picture_});
 }
 
 void Actions::fillRecent() {
@@ -146,31 +160,40 @@ void Actions::buildViewMenu() {
   link_ = add(view, tr("&Link cameras"), "link", QKeySequence(Qt::Key_L), tr("Turn all three views together"),
               [] {});
   link_->setCheckable(true);
+  link_->setObjectName("view_link");
   link_->setChecked(true);
   connect(link_, &QAction::toggled, this, [this](bool on) { window_.views().setLinked(on); });
   QAction* parallel = check(view, tr("O&rthographic"), QKeySequence(Qt::Key_P), false,
                             [this](bool on) { window_.views().setPerspective(!on); });
+  parallel->setObjectName("view_parallel");
   parallel->setToolTip(tr("Without perspective: lengths can be compared"));
   add(view, tr("&Fit"), {}, QKeySequence(Qt::Key_F), {}, [this] { window_.views().fit(); });
   add(view, tr("Turn about the selection"), {}, QKeySequence(Qt::Key_O), {},
       [this] { window_.views().orbitSelection(); });
   view->addSeparator();
-  check(view, tr("&Ground grid"), QKeySequence(Qt::Key_G), true,
-        [this](bool on) { window_.views().setGrid(on); });
-  check(view, tr("&Plane outlines"), QKeySequence(Qt::Key_H), false,
-        [this](bool on) { window_.views().cloud()->setOutlines(on); });
+  check(view, tr("&Ground grid"), QKeySequence(Qt::Key_G), true, [this](bool on) {
+    window_.views().setGrid(on);
+  })->setObjectName("view_grid");
+  check(view, tr("&Plane outlines"), QKeySequence(Qt::Key_H), false, [this](bool on) {
+    window_.views().cloud()->setOutlines(on);
+  })->setObjectName("view_outlines");
   QMenu* edges = view->addMenu(tr("&Edges"));
-  choose(edges, {tr("None"), tr("Vertical ones"), tr("All, by kind")}, 0,
-         [this](int i) { window_.views().cloud()->setEdges(static_cast<CloudView::Edges>(i)); });
+  choose(
+      edges, {tr("None"), tr("Vertical ones"), tr("All, by kind")}, 0,
+      [this](int i) { window_.views().cloud()->setEdges(static_cast<CloudView::Edges>(i)); }, "view_edges");
   QMenu* map = view->addMenu(tr("&Colours"));
   QMenu* meaning = map->addMenu(tr("Of the maps"));
   QStringList names;
   for (int i = 0; i < kMapColourings; ++i) names << colouringName(static_cast<MapColouring>(i));
-  choose(meaning, names, 0, [this](int i) { window_.setMapColouring(static_cast<MapColouring>(i)); });
-  choose(map, {tr("Viridis"), tr("Cividis")}, 0,
-         [this](int i) { window_.setColourMap(static_cast<ColourMap>(i)); });
+  choose(
+      meaning, names, 0, [this](int i) { window_.setMapColouring(static_cast<MapColouring>(i)); },
+      "view_maps");
+  choose(
+      map, {tr("Viridis"), tr("Cividis")}, 0,
+      [this](int i) { window_.setColourMap(static_cast<ColourMap>(i)); }, "view_palette");
   QAction* lock = check(map, tr("Lock ranges"), QKeySequence(Qt::Key_K), false,
                         [this](bool on) { window_.lockRanges(on); });
+  lock->setObjectName("view_lock");
   lock->setToolTip(tr("Keep the ranges of both scalar bars whatever the data says"));
   view->addSeparator();
 

@@ -32,7 +32,8 @@ private:
   QAction* check(QMenu* menu, const QString& text, const QKeySequence& key, bool on,
                  std::function<void(bool)> act);
   /// One of several.
-  void choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act);
+  void choose(QMenu* menu, const QStringList& names, int chosen, const std::function<void(int)>& act,
+              const char* name = nullptr);
   void buildFileMenu();
   void buildEditMenu();
   void buildViewMenu();

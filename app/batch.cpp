@@ -19,8 +19,8 @@ constexpr int kPollMs = 50;
 constexpr int kQuietPolls = 6;  // layout, camera and overlays have settled by then
 }  // namespace
 
-Batch::Batch(MainWindow& window, QString directory)
-    : QObject(&window), window_(window), directory_(std::move(directory)) {
+Batch::Batch(MainWindow& window, QString directory, QSize picture)
+    : QObject(&window), window_(window), directory_(std::move(directory)), size_(picture) {
   connect(&window_, &MainWindow::failed, this, &Batch::fail);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &Batch::step);
@@ -40,14 +40,18 @@ void Batch::finish() {
   const QString picture = directory_ + QStringLiteral("/window.png");
   if (!window_.grab().save(picture))
     return fail(tr("%1: cannot be written; choose another folder").arg(picture));
+  const QString views = directory_ + QStringLiteral("/views.png");
+  if (!size_.isEmpty() && !window_.pictureOf(size_).save(views))
+    return fail(tr("%1: cannot be written; choose another folder").arg(views));
   background_.run(
       this,
       [snapshot = window_.snapshot(), folder = QFile::encodeName(directory_).toStdString()] {
         return exportResults(*snapshot, folder);
       },
-      [this, picture](const Expected<std::vector<std::string>>& written) {
+      [this, picture, views](const Expected<std::vector<std::string>>& written) {
         if (!written) return fail(QString::fromStdString(written.error().message()));
         std::printf("%s\n", QFile::encodeName(picture).constData());
+        if (!size_.isEmpty()) std::printf("%s\n", QFile::encodeName(views).constData());
         for (const std::string& path : *written) std::printf("%s\n", path.c_str());
         std::fflush(stdout);
         QCoreApplication::exit(0);

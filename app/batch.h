@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSize>
 #include <QString>
 
 #include "widgets/background.h"
@@ -11,12 +12,13 @@ namespace stratascope {
 
 class MainWindow;
 
-/// --batch: waits until the window has computed and drawn, writes window.png and the results, prints the
-/// paths and ends the program with 0; with 1 and one line on stderr if something is wrong.
+/// --batch: waits until the window has computed and drawn, writes window.png, with a picture's size also
+/// views.png, and the results, prints the paths and ends the program with 0; with 1 and one line on stderr if
+/// something is wrong.
 class Batch : public QObject {
   Q_OBJECT
 public:
-  Batch(MainWindow& window, QString directory);
+  Batch(MainWindow& window, QString directory, QSize picture = {});
 
 private:
   void step();
@@ -25,6 +27,7 @@ private:
 
   MainWindow& window_;
   QString directory_;
+  QSize size_;
   bool failed_ = false;
   int quiet_ = 0;
   Background background_;

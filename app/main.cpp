@@ -15,9 +15,11 @@
 #include "app/batch.h"
 #include "app/cli/param_options.h"
 #include "app/drag_bench.h"
+#include "app/flat_window.h"
 #include "app/language.h"
 #include "app/live_bench.h"
 #include "app/main_window.h"
+#include "app/picture_dialog.h"
 #include "io/export.h"
 #include "params/param_table.h"
 #include "widgets/theme.h"
@@ -28,7 +30,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   stratascope::cli::ParamOptions params;
-  std::string batch, theme = "system", size, language;
+  std::string batch, theme = "system", size, language, picture;
   std::vector<std::string> drag;
   bool measureDrag = false, measureLive = false;
 
@@ -80,6 +82,22 @@ std::string dragProblem(const std::vector<std::string>& words) {
                                                     : "--measure-drag: seconds must be from 0.1 to 600";
 }
 
+/// Whether a person would see a window.
+bool canShowWindows() {
+  const QString platform = QGuiApplication::platformName();
+  return platform != "offscreen" && !platform.startsWith("minimal") && platform != "vnc";
+}
+
+int runFlat(const QString& problem, const Arguments& arguments, const stratascope::cli::Settings& settings) {
+  stratascope::FlatWindow window(problem);
+  window.setParams(settings.params);
+  window.show();
+  QStringList files;
+  for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
+  window.openFiles(files, settings.poses);
+  return QApplication::exec();
+}
+
 int runWindow(int argc, char** argv, const Arguments& arguments) {
   using namespace stratascope;
   const auto settings = arguments.params.settings();
@@ -100,11 +118,16 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
   QCoreApplication::setApplicationVersion(versionText());
   QApplication app(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has just taken the user's
-  if (const QString problem = openGlProblem(); !problem.isEmpty()) return complain(problem.toStdString(), 1);
+  const bool batch = !arguments.batch.empty() || arguments.measureDrag || arguments.measureLive;
+  const QString problem = openGlProblem();
+  if (!problem.isEmpty() && (batch || !canShowWindows())) return complain(problem.toStdString(), 1);
   applyTheme(Theme::System);
   speak(QString::fromStdString(arguments.language));
+  if (!problem.isEmpty()) {
+    complain(problem.toStdString() + "; showing the maps from above", 1);
+    return runFlat(problem, arguments, *settings);
+  }
 
-  const bool batch = !arguments.batch.empty() || arguments.measureDrag || arguments.measureLive;
   MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
   if (arguments.theme != "system") applyTheme(arguments.theme == "dark" ? Theme::Dark : Theme::Light);
   window.setParams(settings->params);
@@ -121,7 +144,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
     } else if (arguments.measureLive) {
       new LiveBench(window, arguments.files.front());
     } else {
-      new Batch(window, QFile::decodeName(arguments.batch.c_str()));
+      new Batch(window, QFile::decodeName(arguments.batch.c_str()),
+                pictureSizeFromText(QString::fromStdString(arguments.picture)));
     }
   }
   window.show();
@@ -164,6 +188,9 @@ int main(int argc, char** argv) {
   cli.add_option("--size", arguments.size,
                  "Size of the window with --batch: large (1600 × 1000) or small (1280 × 800)")
       ->check(CLI::IsMember({"large", "small"}));
+  cli.add_option(
+      "--picture", arguments.picture,
+      "With --batch: also write views.png, the three views in that many pixels, such as 1920x1080");
   CLI::Option* drag = cli.add_option("--measure-drag", arguments.drag,
                                      "Drag the slider of PARAM for SECONDS (default: those of the four main "
                                      "parameters, 2 s each), print how "
@@ -178,6 +205,12 @@ int main(int argc, char** argv) {
     cli.parse(argc, argv);
     if (!arguments.batch.empty() && arguments.files.empty())
       return complain("--batch needs a scan to open", 2);
+    if (!arguments.picture.empty()) {
+      if (arguments.batch.empty()) return complain("--picture goes with --batch", 2);
+      if (stratascope::pictureSizeFromText(QString::fromStdString(arguments.picture)).isEmpty())
+        return complain(
+            "--picture: '" + arguments.picture + "' is no size; give WIDTHxHEIGHT, each from 200 to 8192", 2);
+    }
     arguments.measureDrag = drag->count() > 0;
     std::erase(arguments.drag, "");  // the option without words
     if (arguments.measureDrag) {

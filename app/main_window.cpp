@@ -121,6 +121,7 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   statusBar()->setFixedHeight(fontMetrics().height() + 16);
 
   buildDocks();
+  buildScanParts();
   actions_ = new Actions(*this, *session_, *cut_);
   live_ = new LiveControl(*this);
   connect(live_, &LiveControl::failed, this, &MainWindow::showError);
@@ -129,6 +130,7 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   firstLayout_ = saveState();
   session_->restore(*this);
   live_->refresh();
+  offerRecovery();
 }
 
 MainWindow::~MainWindow() = default;
@@ -330,6 +332,7 @@ void MainWindow::takeGeometry() {
   if (!streamGoesOn || bridge_->streamProgress().finished) log_->add(computedText(snapshot));
   live_->followData(*geometry);
   if (!otherScans) return;
+  const bool arranged = arrangeViews();
 
   pages_->setCurrentWidget(views_);
   QStringList names;
@@ -340,6 +343,7 @@ void MainWindow::takeGeometry() {
   setWindowTitle(tr("%1 — Stratascope")
                      .arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
                                            : names.join(QStringLiteral(", "))));
+  if (arranged) return;
   // The views get their size in the next turn of the event loop.
   QTimer::singleShot(0, this, [this] { views_->look(ViewDirection::Iso); });
 }
@@ -360,7 +364,7 @@ void MainWindow::note(const QString& text) {
 }
 
 void MainWindow::showProgress() {
-  if (reading_ > 0)
+  if (reading_ > 0 || openingStreams_ > 0)
     status_->setProgress(true, -1, tr("Reading"));
   else if (bridge_->stream() && !bridge_->streamProgress().finished)
     status_->setProgress(false, -1);  // the transport bar tells

@@ -8,7 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/scan_desk.h"
+#include "app/window_state.h"
 #include "io/scan_io.h"
+#include "io/session_file.h"
 #include "stream/open_stream.h"
 #include "widgets/background.h"
 #include "widgets/pipeline_bridge.h"
@@ -22,16 +25,20 @@ class QTimer;
 namespace stratascope {
 
 class Actions;
+class Autosave;
 class CutControl;
+class FramePanel;
 class HelpPanel;
 class LiveControl;
 class LogPanel;
 class MessageBar;
+class OfferBar;
 class ParamHistory;
 class ParamPanel;
 class PlanePanel;
 class PresetBar;
 class ProbePanel;
+class ScanPanel;
 class Session;
 class StageStrip;
 class StatusStrip;
@@ -52,9 +59,18 @@ public:
   void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
   /// Opens it off this thread and shows what comes. On an error what is on screen stays.
   void openStream(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose = {});
+  /// The same scans, parameters and pictures as when it was saved. Recovered: left behind by a crash.
+  void openSession(const QString& path, bool recovered = false);
+  bool saveSession(const QString& path);
+  SessionFile session() const;
   void setParams(const PipelineParams& params);
   /// The same as a step that can be undone under that name.
   void changeParams(const PipelineParams& params, const QString& what);
+
+  /// The views as they are now, drawn with that many pixels.
+  QPixmap pictureOf(const QSize& pixels);
+  /// Asks where to.
+  void savePicture(const QPixmap& picture);
 
   void setMapColouring(MapColouring colouring);
   void setColourMap(ColourMap map);
@@ -64,7 +80,7 @@ public:
   void resetLayout();
 
   /// Nothing is being read, computed or drawn.
-  bool idle() const { return reading_ == 0 && !bridge_->busy(); }
+  bool idle() const { return reading_ == 0 && openingStreams_ == 0 && !bridge_->busy(); }
   SnapshotPtr snapshot() const;
 
   PipelineBridge& bridge() { return *bridge_; }
@@ -79,6 +95,9 @@ public:
   MessageBar& messageBar() { return *message_; }
   LogPanel& log() { return *log_; }
   HelpPanel& help() { return *help_; }
+  ScanDesk& desk() { return *desk_; }
+  OfferBar& offer() { return *offer_; }
+  Autosave& autosave() { return *autosave_; }
   PlanePanel& planes() { return *planes_; }
   QString hint() const;
 
@@ -88,6 +107,11 @@ public slots:
   void reload();
   void exportResultsTo();
   void savePicture();
+  void savePictureWithSize();
+  void chooseSession();
+  void saveSessionTo();
+  /// Units, axes and poses of the open files.
+  void showFrames();
   void loadParamsFrom();
   void saveParamsTo();
   void copyCommandLine();
@@ -117,6 +141,19 @@ private:
   void note(const QString& text);
   void exportTo(const QString& directory);
 
+  void buildScanParts();
+  void offerRecovery();
+  void takeScans(ScanDesk::Change change);
+  /// A stream is shown instead of them.
+  void leaveFiles();
+  void changeDesk(const std::vector<DeskFile>& files, const QString& what);
+  void showScan(int row, bool shown);
+  void showScans();
+  /// Other scans are on screen; true if they are to be seen as before.
+  bool arrangeViews();
+  WindowState presentLook() const;
+  void lookAs(const WindowState& state);
+
   Selection selection_;
   PipelineBridge* bridge_;
   ViewArea* views_;
@@ -143,12 +180,30 @@ private:
   Actions* actions_;
   LiveControl* live_;
 
-  QStringList paths_;
-  std::vector<Eigen::Isometry3d> poses_;
+  /// A session whose scans are being read.
+  struct Opening {
+    QString path;
+    PipelineParams params;
+    WindowState window;
+    bool recovered = false;
+  };
+  ScanDesk* desk_;
+  ScanPanel* scanPanel_;
+  FramePanel* framePanel_;
+  QDockWidget* frameDock_;
+  OfferBar* offer_;
+  OfferBar* guessed_;
+  Autosave* autosave_;
+  QString offered_;
+  std::optional<Opening> opening_;
+  std::optional<WindowState> arriving_;  ///< how the scans now being computed are to be looked at
+  bool keepView_ = false;
+  bool scansShownOnce_ = false;
   std::vector<ScanPtr> shownScans_;
   double shownCell_ = 0;
   int reading_ = 0;
-  int requested_ = 0;  ///< opening a newer file makes an older reading pointless
+  int openingStreams_ = 0;
+  int requested_ = 0;  ///< opening something else makes opening an older stream pointless
   int stage_ = -1;
   int shownStream_ = 0;
   // Last: its jobs end before what they report to goes.

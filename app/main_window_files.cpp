@@ -6,10 +6,12 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMessageBox>
 
 #include "app/live_control.h"
 #include "app/main_window.h"
+#include "app/picture_dialog.h"
 #include "app/session.h"
 #include "io/export.h"
 #include "io/file_util.h"
@@ -30,75 +32,16 @@ QString fileFilter() {
   for (const FormatInfo& format : scanFormats())
     for (const char* extension : format.extensions) patterns << QStringLiteral("*") + extension;
   patterns.removeDuplicates();
+  patterns << QStringLiteral("*.stratascope");
   return QObject::tr("Scans (%1);;All files (*)").arg(patterns.join(' '));
 }
 
-struct ReadResult {
-  std::vector<ScanPtr> scans;
-  QString error;
-};
-
-ReadResult readAll(const std::vector<std::string>& paths, const std::vector<Eigen::Isometry3d>& poses) {
-  ReadResult out;
-  try {
-    for (size_t i = 0; i < paths.size(); ++i) {
-      ReadOptions options;
-      if (!poses.empty()) options.pose = poses[i];
-      Expected<Scan> scan = readScan(paths[i], options);
-      if (!scan) {
-        out.error = QString::fromStdString(scan.error().message());
-        return out;
-      }
-      out.scans.push_back(std::make_shared<const Scan>(std::move(*scan)));
-    }
-  } catch (const std::exception& e) {
-    out.error = QObject::tr("%1: could not be read: %2")
-                    .arg(QString::fromStdString(paths.empty() ? std::string() : paths.front()),
-                         QString::fromUtf8(e.what()));
-  }
-  return out;
-}
-
 }  // namespace
-
-void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
-  if (paths.isEmpty()) return;
-  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()),
-          "openFiles: one pose a file, or none");
-  std::vector<std::string> names;
-  for (const QString& path : paths) names.push_back(native(path));
-  const int request = ++requested_;
-  ++reading_;
-  showProgress();
-  background_.run(
-      this, [names, poses] { return readAll(names, poses); },
-      [this, paths, poses, request](ReadResult result) {
-        --reading_;
-        if (request == requested_) {
-          if (result.error.isEmpty()) {
-            message_->hide();
-            paths_ = paths;
-            poses_ = poses;
-            session_->addRecent(paths);
-            bridge_->setScans(std::move(result.scans));
-            emit opened();
-          } else {
-            showError(result.error);
-          }
-        }
-        showProgress();
-      });
-}
 
 void MainWindow::chooseFiles() {
   const QStringList paths =
       QFileDialog::getOpenFileNames(this, tr("Open scans"), session_->lastDirectory(), fileFilter());
   openFiles(paths);
-}
-
-void MainWindow::reload() {
-  if (live_->isOpen()) return openStream(live_->request());
-  if (!paths_.isEmpty()) openFiles(paths_, poses_);
 }
 
 void MainWindow::exportResultsTo() {
@@ -130,10 +73,30 @@ void MainWindow::exportTo(const QString& directory) {
       });
 }
 
+QPixmap MainWindow::pictureOf(const QSize& pixels) {
+  // The views are what is drawn, so they take that size for a moment in which nothing reaches the screen.
+  const QSize before = views_->size();
+  const double ratio = views_->devicePixelRatioF();
+  views_->resize((QSizeF(pixels) / ratio).toSize());
+  views_->layout()->activate();
+  views_->renderNow();
+  QPixmap picture = views_->grab();
+  views_->resize(before);
+  views_->layout()->activate();
+  views_->renderNow();
+  // Whole pixels of a fractional ratio, and views that cannot be made so small.
+  if (picture.size() != pixels)
+    picture = picture.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  picture.setDevicePixelRatio(1);
+  return picture;
+}
+
 void MainWindow::savePicture() {
-  if (!snapshot()) return;
   // Grabbed before the dialog, which may cover the views.
-  const QPixmap picture = views_->grab();
+  if (snapshot()) savePicture(views_->grab());
+}
+
+void MainWindow::savePicture(const QPixmap& picture) {
   const QString path = QFileDialog::getSaveFileName(
       this, tr("Save picture of the views"), session_->lastDirectory() + QStringLiteral("/stratascope.png"),
       tr("PNG (*.png)"));
@@ -142,6 +105,10 @@ void MainWindow::savePicture() {
     note(tr("Saved %1").arg(path));
   else
     showError(tr("%1: cannot be written; choose another folder").arg(path));
+}
+
+void MainWindow::savePictureWithSize() {
+  if (snapshot()) (new PictureDialog(*this))->show();
 }
 
 void MainWindow::loadParamsFrom() {
@@ -166,8 +133,8 @@ void MainWindow::saveParamsTo() {
 
 void MainWindow::copyCommandLine() {
   QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")};
-  for (QString path : paths_)
-    words << QStringLiteral("'") + path.replace('\'', "'\\''") + QStringLiteral("'");
+  for (const DeskFile& file : desk_->files())
+    words << QStringLiteral("'") + QString(file.path).replace('\'', "'\\''") + QStringLiteral("'");
   if (live_->isOpen()) words = live_->commandWords();
   words << QStringLiteral("--out") << QStringLiteral("results");
   const QString options = QString::fromStdString(paramsAsOptions(params_->params()));

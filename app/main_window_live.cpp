@@ -38,18 +38,17 @@ void MainWindow::chooseStream() {
 
 void MainWindow::openStream(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose) {
   const int number = ++requested_;
-  ++reading_;
+  ++openingStreams_;
   showProgress();
   background_.run(
       this, [request] { return openNow(request); },
       [this, request, pose, number](Opened opened) {
-        --reading_;
+        --openingStreams_;
         if (number == requested_) {
           if (opened.source) {
             returnLargeBlocks();
             message_->hide();
-            paths_.clear();
-            poses_.clear();
+            leaveFiles();
             const std::string file = playedFile(request.address);
             bridge_->openStream(std::move(opened.source), file.empty() ? request.address : file, pose);
             live_->begin(request);

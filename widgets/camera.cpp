@@ -9,6 +9,28 @@
 
 namespace stratascope {
 
+CameraState stateOf(vtkCamera& camera) {
+  CameraState state;
+  camera.GetPosition(state.position.data());
+  camera.GetFocalPoint(state.focus.data());
+  camera.GetViewUp(state.up.data());
+  camera.GetWindowCenter(state.centre.data());
+  state.angleDeg = camera.GetViewAngle();
+  state.scale = camera.GetParallelScale();
+  state.perspective = !camera.GetParallelProjection();
+  return state;
+}
+
+void setState(vtkCamera& camera, const CameraState& state) {
+  camera.SetPosition(state.position.data());
+  camera.SetFocalPoint(state.focus.data());
+  camera.SetViewUp(state.up.data());
+  camera.SetWindowCenter(state.centre[0], state.centre[1]);
+  camera.SetViewAngle(state.angleDeg);
+  camera.SetParallelScale(state.scale);
+  camera.SetParallelProjection(!state.perspective);
+}
+
 void lookAt(vtkCamera& camera, const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing,
             ViewDirection direction, double aspect, double covered) {
   constexpr double kMargin = 1.06;

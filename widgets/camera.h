@@ -5,8 +5,20 @@
 #include <vtkCamera.h>
 
 #include <Eigen/Geometry>
+#include <array>
 
 namespace stratascope {
+
+/// All that decides what a camera sees.
+struct CameraState {
+  std::array<double, 3> position{}, focus{}, up{};
+  std::array<double, 2> centre{};
+  double angleDeg = 30, scale = 1;
+  bool perspective = true;
+  bool operator==(const CameraState&) const = default;
+};
+CameraState stateOf(vtkCamera& camera);
+void setState(vtkCamera& camera, const CameraState& state);
 
 enum class ViewDirection { Iso, Top, Front, Side };
 

@@ -39,6 +39,8 @@ public:
   CloudView* cloud() const { return cloud_; }
   MapView* columns() const { return columns_; }
   MapView* boxes() const { return boxes_; }
+  /// Cloud, columns, boxes.
+  const std::array<VtkView*, 3>& all() const { return views_; }
 
 signals:
   /// What is under the pointer, in any of the views; empty where nothing is.

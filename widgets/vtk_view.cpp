@@ -220,6 +220,15 @@ void VtkView::copyCamera(const VtkView& other) {
   scheduleRender();
 }
 
+CameraState VtkView::cameraState() const {
+  return stateOf(*renderer_->GetActiveCamera());
+}
+
+void VtkView::setCameraState(const CameraState& state) {
+  setState(*renderer_->GetActiveCamera(), state);
+  scheduleRender();
+}
+
 void VtkView::setPerspective(bool perspective) {
   vtkCamera* camera = renderer_->GetActiveCamera();
   if (!perspective)

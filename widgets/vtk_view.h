@@ -38,6 +38,8 @@ public:
 
   void look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction);
   void copyCamera(const VtkView& other);
+  CameraState cameraState() const;
+  void setCameraState(const CameraState& state);
   /// Without perspective parallel lines stay parallel and lengths can be compared.
   void setPerspective(bool perspective);
   /// Moves the camera without turning it, so that it turns about this point from now on.

@@ -13,6 +13,7 @@ namespace {
 
 struct ConvertOptions {
   std::string scan, out, pose;
+  bool ascii = false;
   FrameOptions frame;
 };
 
@@ -34,7 +35,8 @@ Status convert(const ConvertOptions& options) {
   const auto scan =
       readScan(options.scan, {.pose = poseFromOption(options.pose), .frame = options.frame.frame()});
   if (!scan) return scan.error();
-  const Status written = writeScan(*scan, options.out);
+  const Status written =
+      writeScan(*scan, options.out, options.ascii ? ScanEncoding::Ascii : ScanEncoding::Binary);
   if (!written) return written;
   for (const std::string& sentence : scan->notes) note(sentence);
   return success();
@@ -55,6 +57,7 @@ void addConvert(CLI::App& app, Action& action) {
       "--pose", options->pose,
       "x,y,z,roll,pitch,yaw of the sensor in the map (m, degrees), for a scan in the sensor's own frame; OUT "
       "is written in the map frame");
+  command->add_flag("--ascii", options->ascii, "Write PCD and PLY as text, not binary");
   options->frame.addTo(*command);
   command->callback([options, &action] { action = [options] { return convert(*options); }; });
 }

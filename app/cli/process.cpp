@@ -105,6 +105,7 @@ struct Job {
   std::vector<std::optional<Eigen::Isometry3d>> poses;
   std::vector<FileFrame> frames;
   PipelineParams params;
+  std::vector<std::vector<int>> hidden = {};
 };
 
 Expected<Job> jobOfSession(const ProcessOptions& options) {
@@ -125,6 +126,7 @@ Expected<Job> jobOfSession(const ProcessOptions& options) {
                    "write them as --units and --axes take them"};
     job.frames.push_back({*unit, *axes});
     job.files.push_back(input.path);
+    job.hidden.push_back(input.hidden);
     if (settings->poses.empty()) job.poses.push_back(sessionPose(input));
   }
   return job;
@@ -146,7 +148,7 @@ Status process(const ProcessOptions& options) {
   const ExtraOptions extra = extraOptions(options);
   const auto job = jobOf(options);
   if (!job) return job.error();
-  auto scans = readScans(job->files, job->poses, job->frames);
+  auto scans = readScans(job->files, job->poses, job->frames, job->hidden);
   if (!scans) return scans.error();
 
   Pipeline pipeline;

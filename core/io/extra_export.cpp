@@ -105,7 +105,8 @@ Expected<std::vector<OutputFile>> extraFiles(const Snapshot& snapshot, const std
                            cloudPly(snapshot.scans[i], provenanceOf(run, i))});
         break;
       case ExportKind::GeoTiff: {
-        auto bytes = heightMapGeoTiff(*snapshot.heightMap, provenance);
+        auto bytes =
+            heightMapGeoTiff(*snapshot.heightMap, provenance, snapshot.scans.front().scan->localOrigin);
         if (!bytes) return bytes.error();
         files.push_back({"height_map.tif", *std::move(bytes)});
         break;

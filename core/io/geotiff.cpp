@@ -42,7 +42,8 @@ Expected<Writer> loadWriter() {
 
 }  // namespace
 
-Expected<std::string> heightMapGeoTiff(const HeightMap& map, const Provenance& provenance) {
+Expected<std::string> heightMapGeoTiff(const HeightMap& map, const Provenance& provenance,
+                                       const Eigen::Vector3d& localOrigin) {
   const MapFrame& f = map.frame;
   require(map.height.size() == f.size() && f.size() > 0, "heightMapGeoTiff: heights do not fill the frame");
   const Expected<Writer> writer = loadWriter();
@@ -54,11 +55,11 @@ Expected<std::string> heightMapGeoTiff(const HeightMap& map, const Provenance& p
   for (int row = f.rows - 1; row >= 0; --row)
     for (int column = 0; column < f.columns; ++column) {
       const float z = map.height[f.offset({f.kMin + column, f.lMin + row})];
-      heights.push_back(std::isnan(z) ? kNoData : z);
+      heights.push_back(std::isnan(z) ? kNoData : static_cast<float>(z + localOrigin.z()));
     }
   const std::string software = "stratascope " + std::string(versionText());
   const std::string description = commentLines(provenance, "");
-  const Eigen::Vector2d corner = f.lowerCorner({f.kMin, f.lMin + f.rows});
+  const Eigen::Vector2d corner = f.lowerCorner({f.kMin, f.lMin + f.rows}) + localOrigin.head<2>();
   const StratascopeGeoTiff image{heights.data(), f.columns, f.rows,           corner.x(),         corner.y(),
                                  f.cell,         kNoData,   software.c_str(), description.c_str()};
   std::string bytes;

@@ -136,7 +136,8 @@ Expected<std::vector<OutputFile>> mapFiles(const StoredMap& stored, const std::s
     return error;
   }
   if (extension == ".tif" && !isDirectory) {
-    auto bytes = heightMapGeoTiff(*heights, provenanceOf(mapDocument(stored)));
+    auto bytes =
+        heightMapGeoTiff(*heights, provenanceOf(mapDocument(stored)), stored.sources.front().localOrigin);
     if (!bytes) return bytes.error();
     return std::vector<OutputFile>{{name, *std::move(bytes)}};
   }

@@ -91,6 +91,27 @@ Json position(const Eigen::Vector3d& p) {
   return Json::array({p.x(), p.y(), p.z()});
 }
 
+/// Where map coordinates are counted from: the same for all scans of a map.
+Eigen::Vector3d originOf(const Snapshot& snapshot) {
+  return snapshot.scans.empty() || !snapshot.scans.front().scan ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                                                                : snapshot.scans.front().scan->localOrigin;
+}
+
+/// In the inputs' own coordinates.
+Plane movedBy(Plane plane, const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return plane;
+  plane.centroid += origin;
+  plane.offset += plane.normal.dot(origin);
+  for (Eigen::Vector3d& corner : plane.hull) corner += origin;
+  return plane;
+}
+Edge movedBy(Edge edge, const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return edge;
+  edge.from += origin;
+  edge.to += origin;
+  return edge;
+}
+
 /// Twice the area of a ring seen from above, positive if counter-clockwise.
 double signedArea(const std::vector<Eigen::Vector3d>& ring) {
   double sum = 0;
@@ -202,8 +223,10 @@ std::string outlinesDxf(const Snapshot& snapshot, const Provenance& provenance) 
   for (const char* word : {"0", "ENDTAB", "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES"})
     dxf += std::string(word) + "\n";
 
-  forEachPlane(snapshot, [&](const Plane& plane, size_t) {
-    if (plane.hull.size() < 3) return;
+  const Eigen::Vector3d origin = originOf(snapshot);
+  forEachPlane(snapshot, [&](const Plane& inMap, size_t) {
+    if (inMap.hull.size() < 3) return;
+    const Plane plane = movedBy(inMap, origin);
     const auto number = static_cast<size_t>(plane.surfaceClass);
     const std::string layer = kLayers[number < 5 ? number : 0].name;
     group(dxf, 0, "POLYLINE"), group(dxf, 8, layer), group(dxf, 66, "1");
@@ -216,7 +239,8 @@ std::string outlinesDxf(const Snapshot& snapshot, const Provenance& provenance) 
     }
     group(dxf, 0, "SEQEND"), group(dxf, 8, layer);
   });
-  forEachEdge(snapshot, [&](const Edge& edge, size_t) {
+  forEachEdge(snapshot, [&](const Edge& inMap, size_t) {
+    const Edge edge = movedBy(inMap, origin);
     group(dxf, 0, "LINE"), group(dxf, 8, upperCase(edgeKindName(edge.kind)) + "_EDGE");
     point(dxf, edge.from);
     point(dxf, edge.to, 11);
@@ -230,19 +254,21 @@ std::string outlinesGeoJson(const Snapshot& snapshot, const Provenance& provenan
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   };
   std::string text =
-      "{\"type\": \"FeatureCollection\", \"crs\": null,\n\"frame\": \"metres, x y z of the map, no longitude "
-      "and "
-      "latitude\",\n"
+      "{\"type\": \"FeatureCollection\", \"crs\": null,\n\"frame\": \"metres, x y z of the map with its "
+      "local origin added, no longitude and latitude\",\n"
       "\"provenance\": " +
       line(Json(provenance)) + ",\n\"features\": [";
+  const Eigen::Vector3d origin = originOf(snapshot);
   bool first = true;
   const auto add = [&](const Json& feature) {
     text += first ? "\n" : ",\n";
     first = false;
     text += line(feature);
   };
-  forEachPlane(snapshot, [&](const Plane& plane, size_t scan) { add(planeFeature(plane, scan)); });
-  forEachEdge(snapshot, [&](const Edge& edge, size_t scan) { add(edgeFeature(edge, scan)); });
+  forEachPlane(snapshot,
+               [&](const Plane& plane, size_t scan) { add(planeFeature(movedBy(plane, origin), scan)); });
+  forEachEdge(snapshot,
+              [&](const Edge& edge, size_t scan) { add(edgeFeature(movedBy(edge, origin), scan)); });
   return text + "\n]}\n";
 }
 

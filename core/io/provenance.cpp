@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/provenance.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace stratascope {
@@ -18,6 +19,13 @@ Provenance linesOf(const Json& document, size_t first, size_t end) {
   const Json& inputs = document["inputs"];
   for (size_t i = first; i < std::min(end, inputs.size()); ++i)
     lines.push_back("input " + asciiText(inputs[i]["name"]) + " sha256 " + asciiText(inputs[i]["sha256"]));
+  // All inputs share one.
+  if (!inputs.empty() && inputs[0].contains("local_origin")) {
+    const Json& origin = inputs[0]["local_origin"];
+    const auto isFar = [](const Json& v) { return v.is_number() && v != 0; };
+    if (origin.is_array() && std::any_of(origin.begin(), origin.end(), isFar))
+      lines.push_back("map coordinates are counted from " + asciiText(origin) + " m in the inputs' frame");
+  }
   lines.push_back("parameters " + asciiText(document["parameters"]));
   return lines;
 }

@@ -122,7 +122,7 @@ RawClouds readRaw(const std::string& path, std::string bytes, const ReadOptions&
 
 const std::vector<FormatInfo>& scanFormats() {
   static const std::vector<FormatInfo> formats = {
-      {"PCD", {".pcd"}, true},      {"PLY", {".ply"}, false},
+      {"PCD", {".pcd"}, true},      {"PLY", {".ply"}, true},
       {"PTX", {".ptx"}, false},     {"PTS", {".pts"}, false},
       {"LAS", {".las"}, false},     {"E57", {".e57"}, false},
       {"UOS scan", {".3d"}, false}, {"XYZ text", {".xyz", ".txt", ".csv"}, true},

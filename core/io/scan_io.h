@@ -40,14 +40,19 @@ Expected<Scan> readScan(const std::string& path, const ReadOptions& options = {}
 /// lie).
 Expected<Scan> readScanBytes(const std::string& path, std::string bytes, const ReadOptions& options = {});
 
+/// Of formats that have both.
+enum class ScanEncoding : std::uint8_t { Binary, Ascii };
+
 /// Writes a scan's points in the map frame (bit for bit as they stand where map_T_scan is the identity), so
 /// that the file read back lies where the scan lay; a local origin is added again, in doubles. By the
-/// extension: .pcd (binary; lattice, or the unordered cloud in its order, and map_T_sensor as VIEWPOINT),
-/// .xyz/.txt (x y z a line), .csv (x,y,z a line); text leaves missing returns out and has no lattice. The
-/// file is replaced only when the new one is complete.
-Status writeScan(const Scan& scan, const std::string& path);
+/// extension: .pcd (lattice, or the unordered cloud in its order, and map_T_sensor as VIEWPOINT), .ply (the
+/// same, with num_cols and num_rows and the sensor as PCL's camera), .xyz/.txt (x y z a line), .csv (x,y,z a
+/// line); text leaves missing returns out and has no lattice. The file is replaced only when the new one is
+/// complete.
+Status writeScan(const Scan& scan, const std::string& path, ScanEncoding encoding = ScanEncoding::Binary);
 /// What writeScan would write to `path`.
-Expected<std::string> scanBytes(const Scan& scan, const std::string& path);
+Expected<std::string> scanBytes(const Scan& scan, const std::string& path,
+                                ScanEncoding encoding = ScanEncoding::Binary);
 
 /// "PCD (*.pcd)", … for file dialogs and help.
 struct FormatInfo {

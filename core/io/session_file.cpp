@@ -3,6 +3,7 @@
 #include "io/session_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "io/export.h"
@@ -12,6 +13,7 @@
 #include "io/strict_json.h"
 #include "io/text_lines.h"
 #include "params/param_table.h"
+#include "scan/scan_summary.h"
 
 namespace stratascope {
 namespace {
@@ -79,7 +81,7 @@ public:
   }
   SessionInput input(const Json& json, const std::string& place) {
     SessionInput input;
-    if (!hasKeys(json, place, {"path"}, {"sha256", "pose", "units", "axes"})) return input;
+    if (!hasKeys(json, place, {"path"}, {"sha256", "pose", "units", "axes", "hidden"})) return input;
     if (!json["path"].is_string() || json["path"].get_ref<const std::string&>().empty())
       fail(place + ".path", "no file name");
     else if (json["path"].get_ref<const std::string&>().find('\0') != std::string::npos)
@@ -93,6 +95,7 @@ public:
     if (json.contains("pose") && !json["pose"].is_null()) input.pose = pose(json["pose"], place + ".pose");
     if (json.contains("units")) input.units = word(json["units"], place + ".units");
     if (json.contains("axes")) input.axes = word(json["axes"], place + ".axes");
+    if (json.contains("hidden")) input.hidden = scanNumbers(json["hidden"], place + ".hidden");
     return input;
   }
   const std::optional<Error>& error() const { return error_; }
@@ -102,6 +105,18 @@ private:
     const std::string text = json.is_string() ? json.get<std::string>() : "";
     if (!isWord(text)) fail(place, "not a word such as auto");
     return text;
+  }
+  std::vector<int> scanNumbers(const Json& json, const std::string& place) {
+    constexpr int kMost = 1 << 20;
+    std::vector<int> numbers;
+    bool good = json.is_array();
+    for (size_t i = 0; good && i < json.size(); ++i) {
+      good = json[i].is_number_integer() && json[i] >= 0 && json[i] < kMost &&
+             (numbers.empty() || json[i] > numbers.back());
+      if (good) numbers.push_back(json[i].get<int>());
+    }
+    if (!good) fail(place, "not a list of rising numbers from 0");
+    return numbers;
   }
   std::array<double, 6> pose(const Json& json, const std::string& place) {
     std::array<double, 6> numbers{};
@@ -124,6 +139,14 @@ Expected<SessionInput> sessionInput(const std::string& path,
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
   return SessionInput{path, sha256Hex(*bytes), pose};
+}
+
+std::array<double, 6> poseNumbers(const Eigen::Isometry3d& pose) {
+  const RollPitchYaw angles = rollPitchYaw(pose.linear());
+  std::array<double, 6> numbers{pose.translation().x(), pose.translation().y(), pose.translation().z(),
+                                angles.rollDeg,         angles.pitchDeg,        angles.yawDeg};
+  for (double& v : numbers) v = std::round(v * 1e9) / 1e9 + 0.0;
+  return numbers;
 }
 
 std::optional<Eigen::Isometry3d> sessionPose(const SessionInput& input) {
@@ -156,6 +179,7 @@ Expected<std::string> sessionJson(const SessionFile& session, const std::string&
         return Error{path, "pose", pose.error().what, pose.error().remedy};
       entry["pose"] = *input.pose;
     }
+    if (!input.hidden.empty()) entry["hidden"] = input.hidden;
     document["inputs"].push_back(std::move(entry));
   }
   document["parameters"] = Json::parse(paramsToJson(session.params));

@@ -22,6 +22,8 @@ struct SessionInput {
   /// Unit and axes of its coordinates, in the words of --units and --axes; "auto" = as the file or its format
   /// says.
   std::string units = "auto", axes = "auto";
+  /// Which of its scans, from 0, are left out of the map.
+  std::vector<int> hidden = {};
 };
 
 /// What was being done: enough to compute it again, and to show it as it was.
@@ -30,10 +32,9 @@ struct SessionInput {
 ///   program     "stratascope"
 ///   version     of the program that wrote it
 ///   session     1, the version of this format
-///   inputs      list of {path, sha256 (or null), pose (six numbers, or null), units, axes}; all but path can
-///   be
-///               left out. A path below the session's folder is relative to it, so that both can be moved
-///               together
+///   inputs      list of {path, sha256 (or null), pose (six numbers, or null), units, axes, hidden (numbers
+///               of scans, rising)}; all but path can be left out. A path below the session's folder is
+///               relative to it, so that both can be moved together
 ///   parameters  as in --params
 ///   window      anything: see below
 /// Other keys are errors, as is a key given twice.
@@ -53,6 +54,9 @@ struct SessionFile {
 /// The input with the SHA-256 of its file. Errors: it cannot be read.
 Expected<SessionInput> sessionInput(const std::string& path,
                                     const std::optional<std::array<double, 6>>& pose = {});
+/// The six numbers of a pose, to 1e-9: those it was made from, if they had no more digits and pitch is within
+/// 90°.
+std::array<double, 6> poseNumbers(const Eigen::Isometry3d& pose);
 /// As ReadOptions takes it; nothing for an input without a pose.
 std::optional<Eigen::Isometry3d> sessionPose(const SessionInput& input);
 

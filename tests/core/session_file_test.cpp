@@ -24,6 +24,7 @@ SessionFile someSession(const std::string& folder) {
                     {"/elsewhere/b c.3d", "", {}}};
   session.inputs[1].units = "mm";
   session.inputs[1].axes = "y-up";
+  session.inputs[1].hidden = {0, 3};
   session.params.grid.cell = 0.07;
   session.params.intervals.epsilon = 1.0 / 3;
   session.params.classes.alignWalls = true;
@@ -45,12 +46,43 @@ TEST(SessionFile, ComesBackAsItWas) {
     EXPECT_EQ(back->inputs[i].pose, session.inputs[i].pose);
     EXPECT_EQ(back->inputs[i].units, session.inputs[i].units);
     EXPECT_EQ(back->inputs[i].axes, session.inputs[i].axes);
+    EXPECT_EQ(back->inputs[i].hidden, session.inputs[i].hidden);
   }
   EXPECT_EQ(back->params, session.params);
   EXPECT_EQ(nlohmann::ordered_json::parse(back->window), nlohmann::ordered_json::parse(session.window));
   EXPECT_EQ(*sessionJson(*back, path), *readFile(path));
   EXPECT_FALSE(sessionPose(back->inputs[1]));
   EXPECT_EQ(sessionPose(back->inputs[0])->matrix(), poseFromText("1.5,-2,0.1,0,0,90.000000001")->matrix());
+}
+
+TEST(SessionFile, HiddenScansAreRisingNumbers) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "s.stratascope";
+  const std::string good = *sessionJson(someSession(folder.path().string()), path);
+  const size_t at = good.find("\"hidden\"");
+  ASSERT_NE(at, std::string::npos);
+  const size_t end = good.find(']', at) + 1;
+  for (const char* bad : {"3", "[1.5]", "[-1]", "[2, 1]", "[1, 1]", "[\"a\"]", "[99999999999]", "null"}) {
+    const auto read = sessionFromJson(good.substr(0, at) + "\"hidden\": " + bad + good.substr(end), path);
+    ASSERT_FALSE(read) << bad;
+    EXPECT_NE(read.error().where.find("hidden"), std::string::npos) << read.error().message();
+  }
+}
+
+TEST(SessionFile, APosesNumbersAreThoseItWasMadeFrom) {
+  std::mt19937 random(3);
+  const auto tenths = [&](int most) {
+    return (static_cast<int>(random() % (20u * most + 1)) - 10 * most) / 10.0;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    SessionInput input;
+    input.pose = {tenths(1000), tenths(1000), tenths(10), tenths(179), tenths(89), tenths(179)};
+    const auto pose = sessionPose(input);
+    const auto back = poseNumbers(*pose);
+    for (size_t k = 0; k < 6; ++k) EXPECT_EQ(back[k], (*input.pose)[k]) << i << ", " << k;
+    input.pose = back;
+    EXPECT_EQ(sessionPose(input)->matrix(), pose->matrix());
+  }
 }
 
 TEST(SessionFile, MovesTogetherWithTheScansBelowIt) {
