@@ -21,7 +21,10 @@ class QTimer;
 namespace stratascope {
 
 class Actions;
+class ClipControl;
+class CompareControl;
 class CutControl;
+class EdgePanel;
 class HelpPanel;
 class LogPanel;
 class MessageBar;
@@ -60,7 +63,8 @@ public:
   void resetLayout();
 
   /// Nothing is being read, computed or drawn.
-  bool idle() const { return reading_ == 0 && !bridge_->busy(); }
+  bool idle() const { return reading_ == 0 && !bridge_->busy() && !comparing(); }
+  bool comparing() const;
   SnapshotPtr snapshot() const;
 
   PipelineBridge& bridge() { return *bridge_; }
@@ -75,6 +79,9 @@ public:
   LogPanel& log() { return *log_; }
   HelpPanel& help() { return *help_; }
   PlanePanel& planes() { return *planes_; }
+  EdgePanel& edges() { return *edges_; }
+  CompareControl& compare() { return *compare_; }
+  ClipControl& clip() { return *clip_; }
   QString hint() const;
 
 public slots:
@@ -103,6 +110,8 @@ protected:
 private:
   void buildDocks();
   void connectParts();
+  void connectTables();
+  void zoomTo(const Eigen::AlignedBox3d& box);
   void takeGeometry();
   void showError(const QString& message);
   void showProgress();
@@ -122,6 +131,9 @@ private:
   ParamHistory* history_;
   ProbePanel* probe_;
   PlanePanel* planes_;
+  EdgePanel* edges_;
+  CompareControl* compare_;
+  ClipControl* clip_;
   HelpPanel* help_;
   QDockWidget* helpDock_;
   CutControl* cut_;
