@@ -53,8 +53,8 @@ void CompareControl::addActions(QDockWidget* dock) {
   auto* group = new QActionGroup(this);
   for (int i = 0; i < kCompareModes; ++i) {
     const auto mode = static_cast<CompareMode>(i);
-    QAction* action = add(compareModeName(mode), QStringLiteral("Ctrl+%1").arg(i + 1).toUtf8().constData(), {},
-                          [this, mode] { setMode(mode); });
+    QAction* action = add(compareModeName(mode), QStringLiteral("Ctrl+%1").arg(i + 1).toUtf8().constData(),
+                          {}, [this, mode] { setMode(mode); });
     action->setCheckable(true);
     action->setChecked(i == 0);
     group->addAction(action);
@@ -134,8 +134,7 @@ void CompareControl::take() {
   panel_->setResult(result);
   const CompareMode mode = comparer_->mode();
   if (mode == CompareMode::Differences && result.difference) window_.views().setGeometry(result.difference);
-  if (mode == CompareMode::SideBySide || mode == CompareMode::Wipe)
-    window_.views().pair()->setKept(result.a);
+  if (mode == CompareMode::SideBySide || mode == CompareMode::Wipe) window_.views().pair()->setKept(result.a);
   enableActions();
 }
 

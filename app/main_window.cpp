@@ -22,6 +22,7 @@
 #include "app/compare_control.h"
 #include "app/session.h"
 #include "app/welcome_page.h"
+#include "widgets/class_options.h"
 #include "widgets/compare_panel.h"
 #include "widgets/cut_control.h"
 #include "widgets/edge_table.h"
@@ -148,6 +149,8 @@ void MainWindow::buildDocks() {
   };
   params_ = new ParamPanel;
   presets_ = new PresetBar(session_->presetFolder());
+  classOptions_ = new ClassOptions;
+  params_->setHeader(classOptions_);
   params_->setHeader(presets_);
   history_ = new ParamHistory([this](const PipelineParams& params) { setParams(params); }, this);
   probe_ = new ProbePanel(selection_);
@@ -292,6 +295,7 @@ SnapshotPtr MainWindow::snapshot() const {
 void MainWindow::setParams(const PipelineParams& params) {
   if (!(params_->params() == params)) params_->setParams(params);
   presets_->setParams(params);
+  classOptions_->setParams(params);
   bridge_->setParams(params);
 }
 
@@ -322,6 +326,7 @@ void MainWindow::takeGeometry() {
   probe_->setGeometry(geometry);
   planes_->setGeometry(geometry);
   edges_->setGeometry(geometry);
+  classOptions_->setGeometry(geometry);
   cut_->setGeometry(*geometry);
   stages_->setStages(snapshot.stages);
   actions_->setHasResult(true);

@@ -21,6 +21,7 @@ class QTimer;
 namespace stratascope {
 
 class Actions;
+class ClassOptions;
 class ClipControl;
 class CompareControl;
 class CutControl;
@@ -82,6 +83,7 @@ public:
   EdgePanel& edges() { return *edges_; }
   CompareControl& compare() { return *compare_; }
   ClipControl& clip() { return *clip_; }
+  ClassOptions& classOptions() { return *classOptions_; }
   QString hint() const;
 
 public slots:
@@ -134,6 +136,7 @@ private:
   EdgePanel* edges_;
   CompareControl* compare_;
   ClipControl* clip_;
+  ClassOptions* classOptions_;
   HelpPanel* help_;
   QDockWidget* helpDock_;
   CutControl* cut_;

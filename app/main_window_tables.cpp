@@ -3,6 +3,7 @@
 // What the tables of planes and edges ask of the window.
 #include "app/compare_control.h"
 #include "app/main_window.h"
+#include "widgets/class_options.h"
 #include "widgets/edge_table.h"
 #include "widgets/plane_table.h"
 #include "widgets/view_area.h"
@@ -21,6 +22,7 @@ void MainWindow::zoomTo(const Eigen::AlignedBox3d& box) {
 }
 
 void MainWindow::connectTables() {
+  connect(classOptions_, &ClassOptions::chosen, this, &MainWindow::changeParams);
   connect(compare_, &CompareControl::said, this, &MainWindow::note);
   connect(&compare_->comparer(), &Comparer::failed, this, &MainWindow::showError);
   connect(planes_, &PlanePanel::copied, this, &MainWindow::note);

@@ -106,7 +106,8 @@ void ClassMatrix::paintEvent(QPaintEvent*) {
   }
   for (size_t i = 0; i < shown_.size(); ++i) {
     const auto& row = comparison_->classes[shown_[i]];
-    const double all = static_cast<double>(std::max<size_t>(1, std::accumulate(row.begin(), row.end(), size_t{0})));
+    const double all =
+        static_cast<double>(std::max<size_t>(1, std::accumulate(row.begin(), row.end(), size_t{0})));
     swatch(kMargin, cell(i, 0).center().y(), shown_[i]);
     painter.setPen(text);
     painter.drawText(QRectF(kMargin + kSwatch + 6, cell(i, 0).top(), nameWidth(), rowHeight()),

@@ -69,6 +69,8 @@ ClipWidget::ClipWidget(vtkRenderer* renderer, vtkRenderWindowInteractor* interac
 }
 
 ClipWidget::~ClipWidget() {
+  // Letting go would draw once more, in a view that is on its way out.
+  if (widget_->GetInteractor()) widget_->GetInteractor()->EnableRenderOff();
   widget_->Off();
   widget_->SetInteractor(nullptr);
 }

@@ -63,11 +63,10 @@ void CloudPair::setMode(Mode mode) {
 
 void CloudPair::styleHandle() {
   // In a wipe the line between both is what is dragged: it must be seen.
-  splitter_->setStyleSheet(
-      mode_ == Mode::Wipe
-          ? QStringLiteral("QSplitter#cloudPair::handle { background: %1; }")
-                .arg(palette().color(QPalette::Highlight).name())
-          : QString());
+  splitter_->setStyleSheet(mode_ == Mode::Wipe
+                               ? QStringLiteral("QSplitter#cloudPair::handle { background: %1; }")
+                                     .arg(palette().color(QPalette::Highlight).name())
+                               : QString());
 }
 
 void CloudPair::sync() {

@@ -27,8 +27,9 @@ class Tables {
 public:
   explicit Tables(QString muted) : muted_(std::move(muted)) {}
   void begin(const QString& title, const QStringList& heads = {}) {
-    html_ += QStringLiteral("<p style='font-weight:600; margin-bottom:3px'>%1</p><table width='100%' "
-                            "cellspacing='0' cellpadding='2'>")
+    html_ += QStringLiteral(
+                 "<p style='font-weight:600; margin-bottom:3px'>%1</p><table width='100%' "
+                 "cellspacing='0' cellpadding='2'>")
                  .arg(title);
     if (heads.isEmpty()) return;
     html_ += QStringLiteral("<tr style='color:%1'><td></td>").arg(muted_);
@@ -55,7 +56,8 @@ QString signedText(long long difference) {
 }
 
 void countRow(Tables& t, const QString& name, size_t a, size_t b) {
-  t.row(name, {countText(a), countText(b), signedText(static_cast<long long>(b) - static_cast<long long>(a))});
+  t.row(name,
+        {countText(a), countText(b), signedText(static_cast<long long>(b) - static_cast<long long>(a))});
 }
 
 void shareRow(Tables& t, const QString& name, size_t a, size_t ofA, size_t b, size_t ofB) {
@@ -67,7 +69,8 @@ void shareRow(Tables& t, const QString& name, size_t a, size_t ofA, size_t b, si
   difference.prepend(difference == QStringLiteral("0.0") ? QString()
                      : y > x                             ? QStringLiteral("+")
                                                          : QStringLiteral("−"));
-  t.row(name, {QStringLiteral("%1 %").arg(x, 0, 'f', 1), QStringLiteral("%1 %").arg(y, 0, 'f', 1), difference});
+  t.row(name,
+        {QStringLiteral("%1 %").arg(x, 0, 'f', 1), QStringLiteral("%1 %").arg(y, 0, 'f', 1), difference});
 }
 
 template <class Change, size_t N>
@@ -116,8 +119,8 @@ QString page(const Comparer::Result& r, const QString& muted) {
   } else {
     t.begin(QObject::tr("Parameters that differ"), {QStringLiteral("A"), QStringLiteral("B")});
     for (const ParamInfo* info : c.parameters)
-      t.row(tableText(info->label).toHtmlEscaped(), {paramValueText(*info, info->get(a.params)),
-                                                     paramValueText(*info, info->get(b.params))});
+      t.row(tableText(info->label).toHtmlEscaped(),
+            {paramValueText(*info, info->get(a.params)), paramValueText(*info, info->get(b.params))});
     t.end();
   }
   const QStringList heads{QStringLiteral("A"), QStringLiteral("B"), QObject::tr("B − A")};
@@ -130,7 +133,8 @@ QString page(const Comparer::Result& r, const QString& muted) {
   countRow(t, QObject::tr("Records"), c.a.records, c.b.records);
   countRow(t, QObject::tr("Occupied cells"), c.a.cells, c.b.cells);
   const auto sigma = [](double metres) {
-    return std::isfinite(metres) ? QStringLiteral("%1 mm").arg(1000 * metres, 0, 'f', 2) : QStringLiteral("–");
+    return std::isfinite(metres) ? QStringLiteral("%1 mm").arg(1000 * metres, 0, 'f', 2)
+                                 : QStringLiteral("–");
   };
   t.row(QObject::tr("Mean σ of planes"), {sigma(c.a.meanSigma), sigma(c.b.meanSigma), {}});
   t.end();
@@ -181,14 +185,15 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
     return b;
   };
   button(QStringLiteral("keep"), tr("Keep the present result as A"), [this] { emit keepRequested(); });
-  needA_ = {button(QStringLiteral("back"), tr("Back to the parameters of A"), [this] { emit backRequested(); }),
-            button(QStringLiteral("swap"), tr("A becomes B and B becomes A"), [this] { emit swapRequested(); }),
-            button(QStringLiteral("export"), tr("Copy as text"),
-                   [this] {
-                     QApplication::clipboard()->setText(plainText() + '\n' + matrix_->asText());
-                     emit copied(tr("Copied the comparison"));
-                   }),
-            button(QStringLiteral("close"), tr("Drop A"), [this] { emit dropRequested(); })};
+  needA_ = {
+      button(QStringLiteral("back"), tr("Back to the parameters of A"), [this] { emit backRequested(); }),
+      button(QStringLiteral("swap"), tr("A becomes B and B becomes A"), [this] { emit swapRequested(); }),
+      button(QStringLiteral("export"), tr("Copy as text"),
+             [this] {
+               QApplication::clipboard()->setText(plainText() + '\n' + matrix_->asText());
+               emit copied(tr("Copied the comparison"));
+             }),
+      button(QStringLiteral("close"), tr("Drop A"), [this] { emit dropRequested(); })};
 
   text_ = new QTextBrowser;
   text_->setObjectName("compareText");

@@ -28,7 +28,8 @@ struct MapMesh {
 enum class MeshDetail { Full, Coarse };
 
 /// The highest height at or below `cut` in each cell, NaN where there is none: the 2.5D map of what lies
-/// below the cut. With an infinite cut this is the height map itself. With a clip box: of what lies in it, too.
+/// below the cut. With an infinite cut this is the height map itself. With a clip box: of what lies in it,
+/// too.
 std::vector<float> heightsBelow(const CellAssignment& cells, double cut, const ClipBox* clip = nullptr);
 
 /// One column a cell, from `base` (or the lower neighbour) up to its height. A wall stands only where the

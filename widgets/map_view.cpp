@@ -97,7 +97,8 @@ std::optional<CellIndex> MapView::cellUnder(QPoint position) const {
     return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base)
                            : std::nullopt;
   return g.boxes ? pickBox(rayAt(position), *g.snapshot->intervalMap, g.cut,
-                           g.options.clip ? &*g.options.clip : nullptr) : std::nullopt;
+                           g.options.clip ? &*g.options.clip : nullptr)
+                 : std::nullopt;
 }
 
 void MapView::setGrid(bool visible) {

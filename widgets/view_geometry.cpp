@@ -195,7 +195,8 @@ std::shared_ptr<const std::vector<std::int32_t>> shownPoints(const ViewGeometry&
   for (size_t i = 0; i < g.cloud->positions.size(); ++i) {
     const Eigen::Vector3f& p = g.cloud->positions[i];
     if (p.z() > g.cut || (clip && !clip->contains(p.cast<double>()))) continue;
-    if (!hidden.empty() && std::ranges::find(hidden, labelOf(*g.snapshot, g.cloud->source[i])) != hidden.end())
+    if (!hidden.empty() &&
+        std::ranges::find(hidden, labelOf(*g.snapshot, g.cloud->source[i])) != hidden.end())
       continue;
     shown->push_back(static_cast<std::int32_t>(i));
   }
@@ -223,10 +224,10 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   if (!snapshot.cells || !snapshot.intervalMap) return;
   const bool byRecords = options.mapColouring != MapColouring::Height;
   const bool sameIntervals = old && snapshot.intervalMap == old->snapshot->intervalMap;
-  const bool lookStands =
-      heightsStand && g.cut == old->cut && options.mapColouring == old->options.mapColouring &&
-      options.colourMap == old->options.colourMap && options.mapRange == old->options.mapRange &&
-      options.clip == old->options.clip;
+  const bool lookStands = heightsStand && g.cut == old->cut &&
+                          options.mapColouring == old->options.mapColouring &&
+                          options.colourMap == old->options.colourMap &&
+                          options.mapRange == old->options.mapRange && options.clip == old->options.clip;
   const ClipBox* clip = options.clip ? &*options.clip : nullptr;
   const bool columnsStand =
       lookStands && old->columns && snapshot.cells == old->snapshot->cells && (!byRecords || sameIntervals);

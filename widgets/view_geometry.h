@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/snapshot.h"
 #include "pipeline/edge_planes.h"
+#include "pipeline/snapshot.h"
 #include "segment/display_numbers.h"
 #include "widgets/clip_box.h"
 #include "widgets/colour_maps.h"
@@ -31,8 +31,8 @@ struct ViewOptions {
   std::optional<std::pair<double, double>> cloudRange, mapRange;
   std::optional<double>
       cut;  ///< hide what is above this height; without a value: below the ceiling, if there is one
-  std::optional<ClipBox> clip;               ///< show only what lies inside
-  std::vector<std::uint32_t> hiddenPlanes;   ///< by their numbers, ascending
+  std::optional<ClipBox> clip;                ///< show only what lies inside
+  std::vector<std::uint32_t> hiddenPlanes;    ///< by their numbers, ascending
   std::map<std::uint32_t, Rgb> planeColours;  ///< own colours of planes, by their numbers
   bool operator==(const ViewOptions&) const = default;
 };
@@ -64,7 +64,8 @@ struct ViewGeometry {
   std::shared_ptr<const CloudGeometry> cloud;
   std::shared_ptr<const std::vector<std::uint8_t>> cloudRgb;  ///< three a point, in cloud's order
   std::shared_ptr<const std::vector<std::int32_t>>
-      cloudShown;  ///< which of cloud's points lie below the cut, in the clip box and on no hidden plane, ascending
+      cloudShown;  ///< which of cloud's points lie below the cut, in the clip box and on no hidden plane,
+                   ///< ascending
   std::array<size_t, kSurfaceClassCount> classCounts{};
 
   std::shared_ptr<const std::vector<float>>
@@ -78,7 +79,7 @@ struct ViewGeometry {
   /// Which planes each edge joins: one list a scan, in the order of its edges.
   std::shared_ptr<const std::vector<std::vector<EdgePlanes>>> edgePlanes;
   std::shared_ptr<const ColourKey> cloudKey, mapKey;  ///< null: colours are those of the options
-  double base = 0;         ///< columns stand on this height
+  double base = 0;                                    ///< columns stand on this height
 
   double lowest = 0, highest = 1;                        ///< of all points
   double cut = std::numeric_limits<double>::infinity();  ///< in force

@@ -14,7 +14,15 @@ namespace stratascope {
 
 /// What became of a point from A to B; the first that holds, in the order of most to least. Appeared and
 /// Gone: it is within the range limits of one result only.
-enum class PointChange : std::uint8_t { None, Appeared, Gone, GainedPlane, LostPlane, OtherPlane, OtherClass };
+enum class PointChange : std::uint8_t {
+  None,
+  Appeared,
+  Gone,
+  GainedPlane,
+  LostPlane,
+  OtherPlane,
+  OtherClass
+};
 inline constexpr int kPointChangeCount = 7;
 
 /// What became of a cell of the extended 2.5D map. Heights: as many records, but other ones.

@@ -75,8 +75,7 @@ std::vector<EdgePlanes> planesOfEdges(const ScanProducts& scan) {
       out[e] = meeting(scan.planes->planes, edges[e]);
       continue;
     }
-    for (const Eigen::Vector3d& end : {edges[e].from, edges[e].to})
-      jumpEnds[end.cast<float>()].push_back(e);
+    for (const Eigen::Vector3d& end : {edges[e].from, edges[e].to}) jumpEnds[end.cast<float>()].push_back(e);
   }
   if (jumpEnds.empty()) return out;
   std::vector<std::vector<GridIndex>> neurons(edges.size());
