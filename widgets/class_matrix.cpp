@@ -25,7 +25,10 @@ QString nameOf(size_t surface) {
 QString shortCount(size_t count, const QFontMetrics& metrics, double room) {
   const QString whole = countText(count);
   if (metrics.horizontalAdvance(whole) <= room) return whole;
-  return count < 10000 ? QString::number(count) : QStringLiteral("%1k").arg((count + 500) / 1000);
+  const QString bare = QString::number(count);
+  if (metrics.horizontalAdvance(bare) <= room) return bare;
+  return count < 10000 ? QStringLiteral("%1k").arg(static_cast<double>(count) / 1000, 0, 'f', 1)
+                       : QStringLiteral("%1k").arg((count + 500) / 1000);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ constexpr Rgb kBoxColour{235, 140, 20};
 void paint(vtkProperty* property, Rgb colour, double lineWidth) {
   property->SetColor(colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
   property->SetLineWidth(static_cast<float>(lineWidth));
+  property->SetAmbient(1);
+  property->SetDiffuse(0);
   property->LightingOff();
 }
 

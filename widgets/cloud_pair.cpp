@@ -24,7 +24,7 @@ void CloudPair::makeKept() {
   if (kept_) return;
   kept_ = new CloudView(selection_);
   kept_->setObjectName("keptView");
-  kept_->hideColouring();
+  kept_->followOther();
   splitter_->insertWidget(0, kept_);
   connect(kept_, &VtkView::cameraMoved, this, [this] {
     view_->mirrorCamera(*kept_);

@@ -81,8 +81,11 @@ void CloudView::setClipBox(const std::optional<ClipBox>& box) {
   scheduleRender();
 }
 
-void CloudView::hideColouring() {
+void CloudView::followOther() {
   colouring_->hide();
+  colouring_->setObjectName("keptColouring");
+  showsLegend_ = false;
+  legend_->hide();
 }
 
 void CloudView::setGeometry(const ViewGeometryPtr& geometry) {
@@ -203,6 +206,7 @@ void CloudView::describe() {
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
 
   colouring_->setCurrentIndex(static_cast<int>(g.options.colouring));
+  if (!showsLegend_) return;
   if (g.cloudKey) {
     legend_->showKey(*g.cloudKey);
     setLegend(legend_);

@@ -40,8 +40,8 @@ public:
   void setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
   /// A box with handles to be dragged, or none.
   void setClipBox(const std::optional<ClipBox>& box);
-  /// Where another view's list says what the colours mean.
-  void hideColouring();
+  /// Another view's list and legend say what the colours mean here, too.
+  void followOther();
 
 signals:
   void colouringChosen(CloudColouring colouring);
@@ -72,7 +72,7 @@ private:
   Legend* legend_;
   QComboBox* colouring_;
   Edges shownEdges_ = Edges::None;
-  bool outlines_ = false;
+  bool outlines_ = false, showsLegend_ = true;
   std::unique_ptr<ClipWidget> clip_;
 };
 

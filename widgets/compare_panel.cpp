@@ -7,10 +7,12 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QUrl>
+#include <QWheelEvent>
 #include <cmath>
 
 #include "widgets/class_matrix.h"
@@ -110,7 +112,8 @@ void planeRows(Tables& t, const Comparer::Result& r) {
   if (!gained.isEmpty()) t.say(QObject::tr("Gained: %1").arg(list(gained)));
 }
 
-QString page(const Comparer::Result& r, const QString& muted) {
+/// Parameters and numbers, over the matrix.
+QString upperPage(const Comparer::Result& r, const QString& muted) {
   const SnapshotComparison& c = *r.comparison;
   const Snapshot &a = *r.a->snapshot, &b = *r.b->snapshot;
   Tables t(muted);
@@ -139,6 +142,14 @@ QString page(const Comparer::Result& r, const QString& muted) {
   t.row(QObject::tr("Mean σ of planes"), {sigma(c.a.meanSigma), sigma(c.b.meanSigma), {}});
   t.end();
 
+  return t.html();
+}
+
+/// What became of points, cells and planes, and times, under the matrix.
+QString lowerPage(const Comparer::Result& r, const QString& muted) {
+  const SnapshotComparison& c = *r.comparison;
+  const Snapshot &a = *r.a->snapshot, &b = *r.b->snapshot;
+  Tables t(muted);
   t.begin(QObject::tr("What became of the points"));
   changeRows<PointChange>(t, c.pointCounts, 0);
   t.row(QObject::tr("of another class, in all"), {countText(c.classesChanged)});
@@ -161,6 +172,36 @@ QString page(const Comparer::Result& r, const QString& muted) {
 }
 
 }  // namespace
+
+/// A text as high as it is, to stand in something that scrolls.
+class FittedText : public QTextBrowser {
+public:
+  FittedText() {
+    setOpenLinks(false);
+    setFrameShape(QFrame::NoFrame);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    document()->setDocumentMargin(12);
+    setStyleSheet(QStringLiteral("QTextBrowser { border: none; }"));
+  }
+  void show(const QString& html) {
+    setHtml(html);
+    fit();
+  }
+
+protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QTextBrowser::resizeEvent(event);
+    fit();
+  }
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+
+private:
+  void fit() {
+    document()->setTextWidth(viewport()->width());
+    setFixedHeight(static_cast<int>(std::ceil(document()->size().height())));
+  }
+};
 
 ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   modes_ = new QComboBox;
@@ -195,19 +236,31 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
              }),
       button(QStringLiteral("close"), tr("Drop A"), [this] { emit dropRequested(); })};
 
-  text_ = new QTextBrowser;
-  text_->setObjectName("compareText");
-  text_->setOpenLinks(false);
-  text_->document()->setDocumentMargin(12);
-  connect(text_, &QTextBrowser::anchorClicked, this,
-          [this](const QUrl& url) { emit planeChosen(PlaneLabel{url.path().toUInt()}); });
+  above_ = new FittedText;
+  below_ = new FittedText;
+  for (FittedText* text : {above_, below_})
+    connect(text, &QTextBrowser::anchorClicked, this,
+            [this](const QUrl& url) { emit planeChosen(PlaneLabel{url.path().toUInt()}); });
   matrix_ = new ClassMatrix;
+  auto* inner = new QWidget;
+  inner->setBackgroundRole(QPalette::Base);
+  inner->setAutoFillBackground(true);
+  auto* pages = new QVBoxLayout(inner);
+  pages->setContentsMargins(0, 0, 0, 0);
+  pages->setSpacing(0);
+  pages->addWidget(above_);
+  pages->addWidget(matrix_);
+  pages->addWidget(below_);
+  pages->addStretch();
+  scroll_ = new QScrollArea;
+  scroll_->setWidget(inner);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addLayout(row);
-  layout->addWidget(text_, 1);
-  layout->addWidget(matrix_);
+  layout->addWidget(scroll_, 1);
   refresh();
 }
 
@@ -221,7 +274,7 @@ void ComparePanel::setMode(CompareMode mode) {
 }
 
 QString ComparePanel::plainText() const {
-  return text_->toPlainText();
+  return above_->toPlainText() + '\n' + below_->toPlainText();
 }
 
 void ComparePanel::refresh() {
@@ -231,12 +284,14 @@ void ComparePanel::refresh() {
   matrix_->setVisible(there);
   matrix_->set(result_.comparison);
   const QString muted = mutedText(palette()).name();
-  const int place = text_->verticalScrollBar()->value();
-  text_->setHtml(there ? page(result_, muted)
-                       : QStringLiteral("<p style='color:%1'>%2</p>")
-                             .arg(muted, tr("Keep the present result as A and go on tuning: this page tells "
-                                            "what changed.")));
-  text_->verticalScrollBar()->setValue(place);
+  const int place = scroll_->verticalScrollBar()->value();
+  above_->show(there ? upperPage(result_, muted)
+                     : QStringLiteral("<p style='color:%1'>%2</p>")
+                           .arg(muted, tr("Keep the present result as A and go on tuning: this page tells "
+                                          "what changed.")));
+  below_->setVisible(there);
+  below_->show(there ? lowerPage(result_, muted) : QString());
+  scroll_->verticalScrollBar()->setValue(place);
 }
 
 void ComparePanel::changeEvent(QEvent* event) {

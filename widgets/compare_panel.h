@@ -7,13 +7,14 @@
 #include "widgets/comparer.h"
 
 class QComboBox;
-class QTextBrowser;
+class QScrollArea;
 class QToolButton;
 class QUrl;
 
 namespace stratascope {
 
 class ClassMatrix;
+class FittedText;
 
 /// A beside B in numbers: figures, parameters that differ, what became of points, cells and planes, times of
 /// the stages, and the classes as a matrix.
@@ -44,7 +45,8 @@ private:
 
   QComboBox* modes_;
   std::vector<QToolButton*> needA_;
-  QTextBrowser* text_;
+  QScrollArea* scroll_;
+  FittedText *above_, *below_;  ///< the matrix
   ClassMatrix* matrix_;
   Comparer::Result result_;
 };

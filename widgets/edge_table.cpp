@@ -57,7 +57,7 @@ void EdgePanel::setColumns() {
   std::vector<RowColumn> columns(kSigma + 1);
   RowColumn& number = columns[kNumber];
   number.title = tr("#");
-  number.widest = "8888";
+  number.widest = "888";
   number.number = true;
   number.text = [](int r) { return QString::number(r + 1); };
   number.sortKey = [](int r) { return r; };
@@ -92,10 +92,10 @@ void EdgePanel::setColumns() {
   length.sortKey = [this](int r) { return lengthOf(edge(r)); };
 
   RowColumn& vertical = columns[kVertical];
-  vertical.title = tr("Vertical");
+  vertical.title = tr("Vert.");
   vertical.tip = tr("Within 15° of the vertical");
-  vertical.widest = "vertical";
-  vertical.text = [this](int r) { return edge(r).vertical ? tr("vertical") : QString(); };
+  vertical.widest = "✓";
+  vertical.text = [this](int r) { return edge(r).vertical ? QStringLiteral("✓") : QString(); };
   vertical.sortKey = [this](int r) { return edge(r).vertical ? 0 : 1; };
 
   RowColumn& points = columns[kPoints];

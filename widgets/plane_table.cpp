@@ -45,7 +45,7 @@ void PlanePanel::setColumns() {
   RowColumn& number = columns[kNumber];
   number.title = tr("#");
   number.tip = tr("Shown or hidden, colour and number");
-  number.widest = "888";
+  number.widest = "88";
   number.text = [this](int r) { return QString::number(this->number(r)); };
   number.sortKey = [this](int r) { return this->number(r); };
   number.swatch = [this](int r) { return stratascope::colourOf(colourOf(this->number(r))); };
@@ -56,7 +56,6 @@ void PlanePanel::setColumns() {
   surface.title = tr("Class");
   surface.widest = "Horizontal";
   surface.text = [this](int r) { return className(plane(r)); };
-  surface.swatch = [this](int r) { return stratascope::colourOf(classColour(plane(r).surfaceClass)); };
 
   RowColumn& name = columns[kName];
   name.title = tr("Name");

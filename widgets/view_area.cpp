@@ -45,7 +45,10 @@ Eigen::AlignedBox3d ViewArea::shownBounds() const {
   const auto& clip = geometry_->options.clip;
   if (!clip) return geometry_->bounds;
   const auto inside = geometry_->bounds.intersection(Eigen::AlignedBox3d(clip->low, clip->high));
-  return inside.isEmpty() ? geometry_->bounds : inside;
+  if (inside.isEmpty()) return geometry_->bounds;
+  // Room for the handles of the box.
+  const Eigen::Vector3d around = Eigen::Vector3d::Constant(0.08 * inside.diagonal().norm());
+  return {inside.min() - around, inside.max() + around};
 }
 
 void ViewArea::setGeometry(const ViewGeometryPtr& geometry) {

@@ -236,7 +236,16 @@ void VtkView::mirrorCamera(const VtkView& other) {
   to->SetParallelProjection(from->GetParallelProjection());
   to->SetViewAngle(from->GetViewAngle());
   to->SetWindowCenter(to->GetWindowCenter()[0], from->GetWindowCenter()[1]);
-  copyCamera(other);
+  to->SetPosition(from->GetPosition());
+  to->SetFocalPoint(from->GetFocalPoint());
+  to->SetViewUp(from->GetViewUp());
+  to->SetParallelScale(from->GetParallelScale());
+  // Coarse only while the camera moves: what changes in the other view need not change in this one.
+  if (other.cameraMoving_ && other.moving_)
+    setCoarse(true);
+  else if (!moving_)
+    setCoarse(false);
+  scheduleRender();
 }
 
 void VtkView::setPicturePart(int left, int whole) {

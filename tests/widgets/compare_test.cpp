@@ -195,6 +195,21 @@ TEST_F(CompareWindow, DifferencesAreDrawnAndToldInTheLegend) {
   size_t named = 0;
   for (const auto& entry : difference->cloudKey->entries) named += entry.count;
   EXPECT_EQ(named, difference->cloud->positions.size());
+  // Both legends stand in their pictures, with a swatch for each thing that happened.
+  const auto expectLegend = [](VtkView* view, const ColourKey& key) {
+    auto* legend = view->canvas()->findChild<QWidget*>("legend");
+    ASSERT_TRUE(legend && legend->isVisible());
+    const QImage whole = pictureOf(view);
+    const double ratio = static_cast<double>(whole.width()) / view->canvas()->width();
+    const QRect at = legend->geometry();
+    // Only where the swatches are: points of the same colour shine through the rest of the card.
+    const QImage swatches = whole.copy(
+        QRect((QPointF(at.topLeft()) * ratio).toPoint(), (QSizeF(22, at.height()) * ratio).toSize()));
+    for (const auto& entry : key.entries)
+      EXPECT_GT(countNear(swatches, entry.colour, 3), 60) << entry.name.toStdString();
+  };
+  expectLegend(cloud(), *difference->cloudKey);
+  expectLegend(window_->views().boxes(), *difference->mapKey);
   // The classes alone do not move a record, so both maps say that all is as it was.
   EXPECT_GT(countNear(pictureOf(window_->views().boxes()), changeColour(CellChange::Same)), 1000);
   setSpin("epsilon", 0.6);
@@ -270,7 +285,8 @@ TEST_F(CompareWindow, OtherScansEndAComparison) {
   ASSERT_TRUE(settle());
   EXPECT_FALSE(window_->compare().comparer().a());
   EXPECT_EQ(window_->compare().comparer().mode(), CompareMode::Present);
-  EXPECT_EQ(countNear(pictureOf(cloud()), changeColour(PointChange::None), 2), 0);
+  EXPECT_LT(countNear(pictureOf(cloud()), changeColour(PointChange::None), 2), 300);
+  EXPECT_FALSE(geometry().cloudKey);
 }
 
 TEST_F(CompareWindow, HiddenPlanesAreGoneAndOwnColoursAreDrawn) {
@@ -297,7 +313,7 @@ TEST_F(CompareWindow, HiddenPlanesAreGoneAndOwnColoursAreDrawn) {
   EXPECT_LT(countNear(pictureOf(cloud()), planeColour(number), 4), ofFloor / 20);
   // Nothing of it can be picked.
   int looked = 0;
-  for (size_t i = 0; i < geometry().cloud->positions.size() && looked < 8; i += 61) {
+  for (size_t i = 0; i < geometry().cloud->positions.size() && looked < 8; i += 7) {
     if (labelOf(*geometry().snapshot, geometry().cloud->source[i]) != floor.label) continue;
     const QPointF at = cloud()->canvasPosition(geometry().cloud->positions[i].cast<double>());
     if (!cloud()->canvas()->rect().adjusted(20, 20, -20, -20).contains(at.toPoint())) continue;
