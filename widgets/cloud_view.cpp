@@ -202,7 +202,8 @@ void CloudView::describe() {
   }
   if (g.cut < g.highest) parts << tr("below %1").arg(metresText(g.cut, 2));
   if (g.options.clip) parts << tr("inside the clip box");
-  if (!g.options.hiddenPlanes.empty()) parts << tr("%1 planes hidden").arg(g.options.hiddenPlanes.size());
+  if (!g.options.hiddenPlanes.empty())
+    parts.insert(1, tr("%1 planes hidden").arg(g.options.hiddenPlanes.size()));
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
 
   colouring_->setCurrentIndex(static_cast<int>(g.options.colouring));

@@ -4,6 +4,7 @@
 
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace stratascope {
 
@@ -44,7 +45,13 @@ ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent), sel
 Eigen::AlignedBox3d ViewArea::shownBounds() const {
   const auto& clip = geometry_->options.clip;
   if (!clip) return geometry_->bounds;
-  const auto inside = geometry_->bounds.intersection(Eigen::AlignedBox3d(clip->low, clip->high));
+  // Stragglers outside must not make the data small, but what the box was put around is to be seen whole.
+  Eigen::AlignedBox3d all = geometry_->bounds;
+  for (const double z : {geometry_->lowest, std::min(geometry_->cut, geometry_->highest)})
+    all.extend(Eigen::Vector3d(all.center().x(), all.center().y(), z));
+  const Eigen::Vector3d beside(0.3, 0.3, 0.3);
+  all = Eigen::AlignedBox3d(all.min() - beside, all.max() + beside);
+  const auto inside = all.intersection(Eigen::AlignedBox3d(clip->low, clip->high));
   if (inside.isEmpty()) return geometry_->bounds;
   // Room for the handles of the box.
   const Eigen::Vector3d around = Eigen::Vector3d::Constant(0.08 * inside.diagonal().norm());

@@ -235,7 +235,8 @@ TEST_F(CompareWindow, SideBySideHasOneCameraAndAWipeIsOnePicture) {
   EXPECT_TRUE(eye(pair.kept()).isApprox(eye(cloud()), 1e-9));
   window_->views().look(ViewDirection::Side);
   EXPECT_TRUE(eye(pair.kept()).isApprox(eye(cloud()), 1e-9));
-  EXPECT_GT(countNear(pictureOf(pair.kept()), classColour(SurfaceClass::Horizontal)), 200);
+  EXPECT_GT(countNear(pictureOf(pair.kept()), classColour(SurfaceClass::Horizontal)), 50);
+  EXPECT_GT(countNear(pictureOf(pair.kept()), classColour(SurfaceClass::Side)), 50);
   EXPECT_GT(differing(pictureOf(pair.kept()).scaled(200, 200), pictureOf(cloud()).scaled(200, 200)), 500);
   // Turned in A, B follows, and so do the maps.
   const Eigen::Vector3d before = eye(cloud());
