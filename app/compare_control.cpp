@@ -79,7 +79,10 @@ void CompareControl::enableActions() {
 void CompareControl::setPresent(const ViewGeometryPtr& geometry) {
   present_ = geometry;
   // A is a result of these scans, or there is nothing to compare.
-  if (comparer_->a() && !sameScans(*comparer_->a()->snapshot, *geometry->snapshot)) drop();
+  if (comparer_->a() && !sameScans(*comparer_->a()->snapshot, *geometry->snapshot)) {
+    drop();
+    emit said(tr("A was a result of other scans and is dropped"));
+  }
   const bool differences = comparer_->a() && comparer_->mode() == CompareMode::Differences;
   if (!differences) window_.views().setGeometry(geometry);
   comparer_->setB(geometry);

@@ -84,7 +84,7 @@ void CloudView::setClipBox(const std::optional<ClipBox>& box) {
 void CloudView::followOther() {
   colouring_->hide();
   colouring_->setObjectName("keptColouring");
-  showsLegend_ = false;
+  follows_ = true;
   legend_->hide();
 }
 
@@ -207,7 +207,7 @@ void CloudView::describe() {
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
 
   colouring_->setCurrentIndex(static_cast<int>(g.options.colouring));
-  if (!showsLegend_) return;
+  if (follows_) return;
   if (g.cloudKey) {
     legend_->showKey(*g.cloudKey);
     setLegend(legend_);
@@ -329,7 +329,7 @@ void CloudView::highlight() {
       mark([&](size_t i) { return labelOf(*g.snapshot, g.cloud->source[i]) == *label; });
       marked_.setSizes(3 * devicePixelRatioF(), 1);
       markPlane(*label);
-    } else if (const auto* ref = std::get_if<EdgeRef>(&selection_.get())) {
+    } else if (const auto* ref = std::get_if<EdgeRef>(&selection_.get()); ref && !follows_) {
       if (const Edge* edge = edgeOf(*g.snapshot, *ref)) {
         point_.addSegment(edge->from, edge->to);
         point_.addPoint(edge->from.cast<float>());

@@ -40,7 +40,8 @@ public:
   void setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
   /// A box with handles to be dragged, or none.
   void setClipBox(const std::optional<ClipBox>& box);
-  /// Another view's list and legend say what the colours mean here, too.
+  /// Another view's list and legend say what the colours mean here, too; an edge that is selected is one of
+  /// that view's result.
   void followOther();
 
 signals:
@@ -72,7 +73,7 @@ private:
   Legend* legend_;
   QComboBox* colouring_;
   Edges shownEdges_ = Edges::None;
-  bool outlines_ = false, showsLegend_ = true;
+  bool outlines_ = false, follows_ = false;
   std::unique_ptr<ClipWidget> clip_;
 };
 

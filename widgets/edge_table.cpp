@@ -72,7 +72,7 @@ void EdgePanel::setColumns() {
   };
 
   RowColumn& planes = columns[kPlanes];
-  planes.title = tr("Planes");
+  planes.title = tr("Joins");
   planes.tip = tr("Numbers of the planes that meet in it, or end at it");
   planes.width = RowColumn::Width::Stretch;
   planes.text = [this](int r) { return planesText(r); };

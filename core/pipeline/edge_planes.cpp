@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -78,10 +79,16 @@ std::vector<EdgePlanes> planesOfEdges(const ScanProducts& scan) {
     for (const Eigen::Vector3d& end : {edges[e].from, edges[e].to}) jumpEnds[end.cast<float>()].push_back(e);
   }
   if (jumpEnds.empty()) return out;
+  // Nearly all points are told apart by one coordinate, which is quicker than looking each up.
+  std::array<bool, 4096> maybe{};
+  const auto slot = [](const Eigen::Vector3f& p) {
+    return (std::bit_cast<std::uint32_t>(p.y()) * 2654435761u) >> 20;
+  };
+  for (const auto& [end, list] : jumpEnds) maybe[slot(end)] = true;
   std::vector<std::vector<GridIndex>> neurons(edges.size());
   const Grid<Eigen::Vector3f>& points = scan.points->points;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].allFinite()) continue;
+    if (!maybe[slot(points[i])] || !points[i].allFinite()) continue;
     if (const auto at = jumpEnds.find(points[i]); at != jumpEnds.end())
       for (const size_t e : at->second) neurons[e].push_back(points.index(i));
   }
