@@ -19,10 +19,15 @@
 #include <utility>
 
 #include "app/actions.h"
+#include "app/clip_control.h"
+#include "app/compare_control.h"
 #include "app/live_control.h"
 #include "app/session.h"
 #include "app/welcome_page.h"
+#include "widgets/class_options.h"
+#include "widgets/compare_panel.h"
 #include "widgets/cut_control.h"
+#include "widgets/edge_table.h"
 #include "widgets/help_panel.h"
 #include "widgets/log_panel.h"
 #include "widgets/measure.h"
@@ -125,7 +130,10 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   actions_ = new Actions(*this, *session_, *cut_);
   live_ = new LiveControl(*this);
   connect(live_, &LiveControl::failed, this, &MainWindow::showError);
+  clip_ = new ClipControl(*this);
+  compare_->addActions(findChild<QDockWidget*>("compareDock"));
   connectParts();
+  connectTables();
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
   session_->restore(*this);
@@ -148,6 +156,8 @@ void MainWindow::buildDocks() {
   };
   params_ = new ParamPanel;
   presets_ = new PresetBar(session_->presetFolder());
+  classOptions_ = new ClassOptions;
+  params_->setHeader(classOptions_);
   params_->setHeader(presets_);
   history_ = new ParamHistory([this](const PipelineParams& params) { setParams(params); }, this);
   probe_ = new ProbePanel(selection_);
@@ -160,8 +170,16 @@ void MainWindow::buildDocks() {
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
   auto* upper = dock(tr("Inspector"), "inspectorDock", probe_, Qt::RightDockWidgetArea);
   auto* lower = dock(tr("Planes"), "planesDock", planes_, Qt::RightDockWidgetArea);
+  edges_ = new EdgePanel(selection_);
+  compare_ = new CompareControl(*this);
+  auto* edges = dock(tr("Edges"), "edgesDock", edges_, Qt::RightDockWidgetArea);
+  auto* compare = dock(tr("Compare"), "compareDock", compare_->panel(), Qt::RightDockWidgetArea);
+  compare->hide();
   helpDock_->hide();
   tabifyDockWidget(upper, helpDock_);
+  tabifyDockWidget(upper, compare);
+  tabifyDockWidget(lower, edges);
+  lower->raise();
   resizeDocks({left, upper}, {290, 378}, Qt::Horizontal);
   resizeDocks({upper, lower}, {520, 300}, Qt::Vertical);
 }
@@ -171,18 +189,6 @@ void MainWindow::connectParts() {
   connect(params_, &ParamPanel::stagePointedAt, stages_, &StageStrip::setAffected);
   connect(presets_, &PresetBar::chosen, this, [this](const PipelineParams& params, const QString& name) {
     changeParams(params, tr("Preset %1").arg(name));
-  });
-  connect(planes_, &PlanePanel::copied, this, &MainWindow::note);
-  connect(planes_, &PlanePanel::failed, this, &MainWindow::showError);
-  connect(planes_, &PlanePanel::zoomRequested, this, [this](PlaneLabel label) {
-    const Plane* plane = snapshot() ? snapshot()->plane(label) : nullptr;
-    if (!plane || plane->hull.empty()) return;
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& corner : plane->hull) box.extend(corner);
-    selection_.set(label);
-    for (VtkView* view : {static_cast<VtkView*>(views_->cloud()), static_cast<VtkView*>(views_->columns()),
-                          static_cast<VtkView*>(views_->boxes())})
-      view->fit(box);
   });
   connect(presets_, &PresetBar::failed, this, &MainWindow::showError);
   connect(bridge_, &PipelineBridge::geometryChanged, this, &MainWindow::takeGeometry);
@@ -297,6 +303,7 @@ SnapshotPtr MainWindow::snapshot() const {
 void MainWindow::setParams(const PipelineParams& params) {
   if (!(params_->params() == params)) params_->setParams(params);
   presets_->setParams(params);
+  classOptions_->setParams(params);
   bridge_->setParams(params);
 }
 
@@ -314,7 +321,9 @@ void MainWindow::takeGeometry() {
   const bool otherScans = scans != shownScans_ && !streamGoesOn;
   // What was selected means something else in other scans, and a cell's numbers in another grid.
   const bool otherGrid = snapshot.params.grid.cell != shownCell_;
-  if (otherScans || (otherGrid && std::holds_alternative<CellIndex>(selection_.get()))) {
+  const bool otherEdges =
+      std::holds_alternative<EdgeRef>(selection_.get()) && !edges_->shows(*geometry->snapshot);
+  if (otherScans || otherEdges || (otherGrid && std::holds_alternative<CellIndex>(selection_.get()))) {
     probe_->setGeometry(nullptr);
     selection_.clear();
     measureFrom_ = {};
@@ -322,9 +331,12 @@ void MainWindow::takeGeometry() {
   shownScans_ = scans;
   shownCell_ = snapshot.params.grid.cell;
 
-  views_->setGeometry(geometry);
+  compare_->setPresent(geometry);
+  clip_->setGeometry(geometry);
   probe_->setGeometry(geometry);
   planes_->setGeometry(geometry);
+  edges_->setGeometry(geometry);
+  classOptions_->setGeometry(geometry);
   cut_->setGeometry(*geometry);
   stages_->setStages(snapshot.stages);
   actions_->setHasResult(true);

@@ -26,7 +26,11 @@ namespace stratascope {
 
 class Actions;
 class Autosave;
+class ClassOptions;
+class ClipControl;
+class CompareControl;
 class CutControl;
+class EdgePanel;
 class FramePanel;
 class HelpPanel;
 class LiveControl;
@@ -80,7 +84,10 @@ public:
   void resetLayout();
 
   /// Nothing is being read, computed or drawn.
-  bool idle() const { return reading_ == 0 && openingStreams_ == 0 && !bridge_->busy(); }
+  bool idle() const {
+    return reading_ == 0 && openingStreams_ == 0 && !bridge_->busy() && !comparing();
+  }
+  bool comparing() const;
   SnapshotPtr snapshot() const;
 
   PipelineBridge& bridge() { return *bridge_; }
@@ -99,6 +106,10 @@ public:
   OfferBar& offer() { return *offer_; }
   Autosave& autosave() { return *autosave_; }
   PlanePanel& planes() { return *planes_; }
+  EdgePanel& edges() { return *edges_; }
+  CompareControl& compare() { return *compare_; }
+  ClipControl& clip() { return *clip_; }
+  ClassOptions& classOptions() { return *classOptions_; }
   QString hint() const;
 
 public slots:
@@ -133,6 +144,8 @@ protected:
 private:
   void buildDocks();
   void connectParts();
+  void connectTables();
+  void zoomTo(const Eigen::AlignedBox3d& box);
   void takeGeometry();
   void showError(const QString& message);
   void showProgress();
@@ -165,6 +178,10 @@ private:
   ParamHistory* history_;
   ProbePanel* probe_;
   PlanePanel* planes_;
+  EdgePanel* edges_;
+  CompareControl* compare_;
+  ClipControl* clip_;
+  ClassOptions* classOptions_;
   HelpPanel* help_;
   QDockWidget* helpDock_;
   CutControl* cut_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/clip_widget.h"
 #include "widgets/point_explanation.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
@@ -69,6 +70,24 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
   connect(&selection_, &Selection::changed, this, &CloudView::highlight);
 }
 
+CloudView::~CloudView() = default;
+
+void CloudView::setClipBox(const std::optional<ClipBox>& box) {
+  if (!clip_ && !box) return;
+  if (!clip_)
+    clip_ = std::make_unique<ClipWidget>(renderer(), interactor(), devicePixelRatioF(),
+                                         [this](const ClipBox& moved) { emit clipDragged(moved); });
+  clip_->show(box);
+  scheduleRender();
+}
+
+void CloudView::followOther() {
+  colouring_->hide();
+  colouring_->setObjectName("keptColouring");
+  follows_ = true;
+  legend_->hide();
+}
+
 void CloudView::setGeometry(const ViewGeometryPtr& geometry) {
   const ViewGeometryPtr old = std::exchange(geometry_, geometry);
   if (!geometry_) return;
@@ -81,6 +100,9 @@ void CloudView::setGeometry(const ViewGeometryPtr& geometry) {
   // Drawing is what costs: a change of the height gap leaves this view alone.
   if (old && old->cloud == geometry_->cloud && old->cloudRgb == geometry_->cloudRgb &&
       old->cloudShown == geometry_->cloudShown && edgesOf(old) == edgesOf(geometry_) &&
+      old->options.clip == geometry_->options.clip &&
+      old->options.hiddenPlanes == geometry_->options.hiddenPlanes &&
+      old->options.planeColours == geometry_->options.planeColours &&
       !std::holds_alternative<CellIndex>(selection_.get()))
     return;
   actor_.set(*geometry_);
@@ -139,7 +161,8 @@ void CloudView::drawMarks() {
       if (!outlines_ || !scan.planes) continue;
       for (const Plane& plane : scan.planes->planes) {
         const std::uint32_t number = g.numbers.of(plane.label);
-        const Rgb rgb = planeColour(number);
+        if (planeHidden(g.options, number)) continue;
+        const Rgb rgb = colourOfPlane(g.options, number);
         if (outlines == planeOutlines_.size())
           planeOutlines_.push_back(std::make_unique<OverlayActor>(renderer(), rgb));
         OverlayActor& outline = *planeOutlines_[outlines++];
@@ -147,8 +170,9 @@ void CloudView::drawMarks() {
         outline.setSizes(2, 2 * devicePixelRatioF());
         outline.clear();
         outline.addLoop(plane.hull);
-        outline.commit(g.cut);
-        if (names.size() < kMostNames && plane.centroid.z() <= g.cut)
+        outline.commit(g.cut, g.options.clip);
+        if (names.size() < kMostNames && plane.centroid.z() <= g.cut &&
+            (!g.options.clip || g.options.clip->contains(plane.centroid)))
           names.push_back({plane.centroid + kNameOff * plane.normal, QString::number(number),
                            palette().color(QPalette::WindowText)});
       }
@@ -156,7 +180,8 @@ void CloudView::drawMarks() {
     grid_.set(g.bounds, g.heights.low);
   }
   const double cut = geometry_ ? geometry_->cut : 0;
-  for (OverlayActor& edges : edges_) edges.commit(cut);
+  const auto clip = geometry_ ? geometry_->options.clip : std::nullopt;
+  for (OverlayActor& edges : edges_) edges.commit(cut, clip);
   for (; outlines < planeOutlines_.size(); ++outlines) {
     planeOutlines_[outlines]->clear();
     planeOutlines_[outlines]->commit(0);
@@ -176,9 +201,18 @@ void CloudView::describe() {
       parts << tr("%1 lines × %2 beams").arg(scan.lattice->lines()).arg(scan.lattice->beams());
   }
   if (g.cut < g.highest) parts << tr("below %1").arg(metresText(g.cut, 2));
+  if (g.options.clip) parts << tr("inside the clip box");
+  if (!g.options.hiddenPlanes.empty())
+    parts.insert(1, tr("%1 planes hidden").arg(g.options.hiddenPlanes.size()));
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
 
   colouring_->setCurrentIndex(static_cast<int>(g.options.colouring));
+  if (follows_) return;
+  if (g.cloudKey) {
+    legend_->showKey(*g.cloudKey);
+    setLegend(legend_);
+    return;
+  }
   switch (g.options.colouring) {
     case CloudColouring::SurfaceClass: {
       std::vector<Legend::Entry> entries;
@@ -224,8 +258,8 @@ void CloudView::describe() {
 std::optional<PointRef> CloudView::pointAt(QPoint position) const {
   if (!geometry_ || position.x() < 0) return std::nullopt;
   const Eigen::Vector2d at = displayPosition(position);
-  const size_t i = pickPoint(geometry_->cloud->positions, projection(), at.x(), at.y(),
-                             kPickRadius * devicePixelRatioF(), geometry_->cut);
+  const size_t i = pickPoint(geometry_->cloud->positions, *geometry_->cloudShown, projection(), at.x(),
+                             at.y(), kPickRadius * devicePixelRatioF());
   if (i == kNothingPicked) return std::nullopt;
   return geometry_->cloud->source[i];
 }
@@ -265,8 +299,8 @@ void CloudView::highlight() {
   if (geometry_) {
     const ViewGeometry& g = *geometry_;
     const auto mark = [&](const auto& belongs) {
-      for (size_t i = 0; i < g.cloud->positions.size(); ++i)
-        if (belongs(i)) marked_.addPoint(g.cloud->positions[i]);
+      for (const std::int32_t shown : *g.cloudShown)
+        if (const auto i = static_cast<size_t>(shown); belongs(i)) marked_.addPoint(g.cloud->positions[i]);
     };
     const auto markPlane = [&](PlaneLabel label) {
       if (const Plane* plane = label == kNoPlane ? nullptr : g.snapshot->plane(label))
@@ -295,9 +329,21 @@ void CloudView::highlight() {
       mark([&](size_t i) { return labelOf(*g.snapshot, g.cloud->source[i]) == *label; });
       marked_.setSizes(3 * devicePixelRatioF(), 1);
       markPlane(*label);
+    } else if (const auto* ref = std::get_if<EdgeRef>(&selection_.get()); ref && !follows_) {
+      if (const Edge* edge = edgeOf(*g.snapshot, *ref)) {
+        point_.addSegment(edge->from, edge->to);
+        point_.addPoint(edge->from.cast<float>());
+        point_.addPoint(edge->to.cast<float>());
+        const EdgePlanes joined = (*g.edgePlanes)[static_cast<size_t>(ref->scan)][ref->index];
+        mark([&](size_t i) { return joined.has(labelOf(*g.snapshot, g.cloud->source[i])); });
+        marked_.setSizes(2 * devicePixelRatioF(), 1);
+        markPlane(joined.a);
+        markPlane(joined.b);
+      }
     }
-    for (OverlayActor* overlay : {&marked_, &point_, &outline_}) overlay->commit(g.cut);
-    for (OverlayActor& shell : shell_) shell.commit(g.cut);
+    const auto& clip = g.options.clip;
+    for (OverlayActor* overlay : {&marked_, &point_, &outline_}) overlay->commit(g.cut, clip);
+    for (OverlayActor& shell : shell_) shell.commit(g.cut, clip);
   }
   scheduleRender();
 }

@@ -19,22 +19,35 @@ class QComboBox;
 
 namespace stratascope {
 
+class ClipWidget;
+
 /// The cloud, coloured by class, plane or height, with the sensor's place and the vertical edges.
 class CloudView : public VtkView {
   Q_OBJECT
 public:
   explicit CloudView(Selection& selection, QWidget* parent = nullptr);
+  ~CloudView() override;
 
   void setGeometry(const ViewGeometryPtr& geometry);
   enum class Edges { None, Vertical, ByKind };
   void setEdges(Edges edges);
   void setOutlines(bool visible);
+  bool grid() const { return grid_.visible(); }
+  Edges edges() const { return shownEdges_; }
+  bool outlines() const { return outlines_; }
   void setGrid(bool visible);
   /// A line between two places of the scene, or none.
   void setRuler(const std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& ends);
+  /// A box with handles to be dragged, or none.
+  void setClipBox(const std::optional<ClipBox>& box);
+  /// Another view's list and legend say what the colours mean here, too; an edge that is selected is one of
+  /// that view's result.
+  void followOther();
 
 signals:
   void colouringChosen(CloudColouring colouring);
+  /// A handle of the clip box was moved.
+  void clipDragged(const ClipBox& box);
 
 protected:
   void setCoarse(bool coarse) override { actor_.setCoarse(coarse); }
@@ -60,7 +73,8 @@ private:
   Legend* legend_;
   QComboBox* colouring_;
   Edges shownEdges_ = Edges::None;
-  bool outlines_ = false;
+  bool outlines_ = false, follows_ = false;
+  std::unique_ptr<ClipWidget> clip_;
 };
 
 }  // namespace stratascope

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/text_format.h"
 #include "widgets/theme.h"
+#include "widgets/view_geometry.h"
 
 namespace stratascope {
 namespace {
@@ -41,6 +43,13 @@ void Legend::showList(const QString& title, std::vector<Entry> entries) {
   bar_ = false;
   updateGeometry();
   update();
+}
+
+void Legend::showKey(const ColourKey& key) {
+  std::vector<Entry> entries;
+  for (const ColourKey::Entry& e : key.entries)
+    entries.push_back({QColor(e.colour.r, e.colour.g, e.colour.b), e.name, countText(e.count)});
+  showList(key.title, std::move(entries));
 }
 
 void Legend::showScale(const QString& title, const ColourScale& scale) {

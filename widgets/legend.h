@@ -10,6 +10,8 @@
 
 namespace stratascope {
 
+struct ColourKey;
+
 /// A card over a 3D picture that says what its colours mean: a list of swatches, or a scalar bar. Lets the
 /// mouse through.
 class Legend : public QWidget {
@@ -24,6 +26,7 @@ public:
   explicit Legend(QWidget* parent = nullptr);
 
   void showList(const QString& title, std::vector<Entry> entries);
+  void showKey(const ColourKey& key);
   void showScale(const QString& title, const ColourScale& scale);
 
   QSize sizeHint() const override;

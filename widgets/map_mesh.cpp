@@ -75,23 +75,25 @@ double minimumBoxThickness(const MapFrame& frame) {
   return 0.25 * frame.cell;
 }
 
-std::vector<float> heightsBelow(const CellAssignment& cells, double cut) {
+std::vector<float> heightsBelow(const CellAssignment& cells, double cut, const ClipBox* clip) {
   std::vector<float> out(cells.frame.size(), kNaNf);
+  const double top = clip ? std::min(cut, clip->high.z()) : cut;
   for (size_t o = 0; o < out.size(); ++o) {
+    if (clip && !clip->contains(cells.frame, cells.frame.index(o))) continue;
     const auto begin = cells.heights.begin() + cells.first[o],
                end = cells.heights.begin() + cells.first[o + 1];
-    const auto above = std::partition_point(begin, end, [&](float z) { return z <= cut; });
-    if (above != begin) out[o] = *std::prev(above);
+    const auto above = std::partition_point(begin, end, [&](float z) { return z <= top; });
+    if (above != begin && !(clip && *std::prev(above) < clip->low.z())) out[o] = *std::prev(above);
   }
   return out;
 }
 
-MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const float> values,
-                        double base, const ColourScale& scale, MeshDetail detail,
-                        std::span<const char> provisional) {
+namespace {
+
+template <class Colour>
+MapMesh columns(const MapFrame& frame, std::span<const float> heights, double base, MeshDetail detail,
+                const Colour& colourOf) {
   require(heights.size() == frame.size(), "buildColumnMesh: heights do not fit the frame");
-  require(values.empty() || values.size() == frame.size(), "buildColumnMesh: one value a cell");
-  require(provisional.empty() || provisional.size() == frame.size(), "buildColumnMesh: one mark a cell");
   const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
   MeshWriter out(heights.size());
   for (size_t o = 0; o < heights.size(); ++o) {
@@ -99,8 +101,7 @@ MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, s
     if (std::isnan(z)) continue;
     const CellIndex c = frame.index(o);
     const Eigen::Vector2d p = frame.lowerCorner(c), q = frame.lowerCorner({c.k + 1, c.l + 1});
-    Rgb colour = scale.colour(values.empty() ? z : values[o]);
-    if (!provisional.empty() && provisional[o]) colour = dimmed(colour);
+    const Rgb colour = colourOf(o, z);
     out.top(p.x(), p.y(), q.x(), q.y(), z, colour);
     for (int side = 0; side < 4; ++side) {
       const CellIndex n{c.k + kNeighbours[side].k, c.l + kNeighbours[side].l};
@@ -115,38 +116,82 @@ MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, s
   return out.take();
 }
 
-MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, double cut,
-                     const ColourScale& scale, MeshDetail detail, std::span<const char> provisional) {
-  require(values.empty() || values.size() == map.records.size(), "buildBoxMesh: one value a record");
+template <class Colour>
+MapMesh boxes(const IntervalMap& map, double cut, MeshDetail detail, const ClipBox* clip,
+              const Colour& colourOf) {
   const MapFrame& frame = map.frame;
-  require(provisional.empty() || provisional.size() == frame.size(), "buildBoxMesh: one mark a cell");
-  const double thickness = minimumBoxThickness(frame);
   const double leastWall = detail == MeshDetail::Full ? 0.0 : 0.5 * frame.cell;
   MeshWriter out(2 * map.records.size());
   for (size_t o = 0; o + 1 < map.first.size(); ++o) {
     if (map.first[o] == map.first[o + 1]) continue;
     const CellIndex c = frame.index(o);
+    if (clip && !clip->contains(frame, c)) continue;
     const Eigen::Vector2d p = frame.lowerCorner(c), q = frame.lowerCorner({c.k + 1, c.l + 1});
     for (std::uint32_t i = map.first[o]; i < map.first[o + 1]; ++i) {
-      const HeightInterval& r = map.records[i];
-      if (r.min > cut) break;
-      const double high = std::min<double>(r.max, cut);
-      const double low = std::min<double>(r.min, high - thickness);
-      Rgb colour = scale.colour(values.empty() ? high : values[i]);
-      if (!provisional.empty() && provisional[o]) colour = dimmed(colour);
+      const auto part = shownPart(map.records[i], frame, cut, clip);
+      if (!part) continue;
+      const auto [low, high] = *part;
+      const Rgb colour = colourOf(i, o, high);
       out.top(p.x(), p.y(), q.x(), q.y(), high, colour);
       // Undersides matter only for what hangs above something; from above they are culled and cost little.
       if (detail == MeshDetail::Full && i > map.first[o]) out.bottom(p.x(), p.y(), q.x(), q.y(), low, colour);
       if (high - low <= leastWall) continue;
       for (int side = 0; side < 4; ++side) {
-        const auto neighbours = map.cell({c.k + kNeighbours[side].k, c.l + kNeighbours[side].l});
-        const bool hidden = std::ranges::any_of(
-            neighbours, [&](const HeightInterval& n) { return n.min <= low && n.max >= high; });
+        const CellIndex beside{c.k + kNeighbours[side].k, c.l + kNeighbours[side].l};
+        const bool hidden = (!clip || clip->contains(frame, beside)) &&
+                            std::ranges::any_of(map.cell(beside), [&, l = low, h = high](const auto& n) {
+                              return n.min <= l && n.max >= h;
+                            });
         if (!hidden) out.wall(side, p.x(), p.y(), q.x(), q.y(), low, high, colour);
       }
     }
   }
   return out.take();
+}
+
+}  // namespace
+
+std::optional<std::pair<double, double>> shownPart(const HeightInterval& r, const MapFrame& frame, double cut,
+                                                   const ClipBox* clip) {
+  if (clip) cut = std::min(cut, clip->high.z());
+  if (r.min > cut || (clip && r.max < clip->low.z())) return std::nullopt;
+  const double high = std::min<double>(r.max, cut);
+  const double low = clip ? std::max<double>(r.min, clip->low.z()) : r.min;
+  return std::pair{std::min(low, high - minimumBoxThickness(frame)), high};
+}
+
+MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const float> values,
+                        double base, const ColourScale& scale, MeshDetail detail,
+                        std::span<const char> provisional) {
+  require(values.empty() || values.size() == frame.size(), "buildColumnMesh: one value a cell");
+  require(provisional.empty() || provisional.size() == frame.size(), "buildColumnMesh: one mark a cell");
+  return columns(frame, heights, base, detail, [&](size_t o, double z) {
+    const Rgb colour = scale.colour(values.empty() ? z : values[o]);
+    return !provisional.empty() && provisional[o] ? dimmed(colour) : colour;
+  });
+}
+
+MapMesh buildColumnMesh(const MapFrame& frame, std::span<const float> heights, std::span<const Rgb> colours,
+                        double base, MeshDetail detail) {
+  require(colours.size() == frame.size(), "buildColumnMesh: one colour a cell");
+  return columns(frame, heights, base, detail, [&](size_t o, double) { return colours[o]; });
+}
+
+MapMesh buildBoxMesh(const IntervalMap& map, std::span<const float> values, double cut,
+                     const ColourScale& scale, MeshDetail detail, const ClipBox* clip,
+                     std::span<const char> provisional) {
+  require(values.empty() || values.size() == map.records.size(), "buildBoxMesh: one value a record");
+  require(provisional.empty() || provisional.size() == map.frame.size(), "buildBoxMesh: one mark a cell");
+  return boxes(map, cut, detail, clip, [&](size_t i, size_t o, double high) {
+    const Rgb colour = scale.colour(values.empty() ? high : values[i]);
+    return !provisional.empty() && provisional[o] ? dimmed(colour) : colour;
+  });
+}
+
+MapMesh buildBoxMesh(const IntervalMap& map, std::span<const Rgb> colours, double cut, MeshDetail detail,
+                     const ClipBox* clip) {
+  require(colours.size() == map.records.size(), "buildBoxMesh: one colour a record");
+  return boxes(map, cut, detail, clip, [&](size_t i, size_t, double) { return colours[i]; });
 }
 
 }  // namespace stratascope

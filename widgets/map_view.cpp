@@ -77,11 +77,17 @@ void MapView::setGeometry(const ViewGeometryPtr& geometry) {
     parts << tr("ε %1").arg(metresText(g.snapshot->params.intervals.epsilon, 2));
     if (g.cut < g.highest) parts << tr("below %1").arg(metresText(g.cut, 2));
   }
+  if (g.options.clip) parts << tr("inside the clip box");
   setSubtitle(parts.join(QStringLiteral("  ·  ")));
-  legend_->showScale(scaleTitle(g.options.mapColouring), g.mapScale);
+  if (g.mapKey)
+    legend_->showKey(*g.mapKey);
+  else
+    legend_->showScale(scaleTitle(g.options.mapColouring), g.mapScale);
   setLegend(legend_);
   // Drawing is what costs: planes found anew matter here only while one of them is marked.
-  if (!sameMesh || std::holds_alternative<PlaneLabel>(selection_.get())) highlight();
+  if (!sameMesh || std::holds_alternative<PlaneLabel>(selection_.get()) ||
+      std::holds_alternative<EdgeRef>(selection_.get()))
+    highlight();
 }
 
 std::optional<CellIndex> MapView::cellUnder(QPoint position) const {
@@ -90,7 +96,9 @@ std::optional<CellIndex> MapView::cellUnder(QPoint position) const {
   if (kind_ == Kind::Columns)
     return g.columnHeights ? pickColumn(rayAt(position), g.snapshot->cells->frame, *g.columnHeights, g.base)
                            : std::nullopt;
-  return g.boxes ? pickBox(rayAt(position), *g.snapshot->intervalMap, g.cut) : std::nullopt;
+  return g.boxes ? pickBox(rayAt(position), *g.snapshot->intervalMap, g.cut,
+                           g.options.clip ? &*g.options.clip : nullptr)
+                 : std::nullopt;
 }
 
 void MapView::setGrid(bool visible) {
@@ -150,11 +158,9 @@ void MapView::markCell(OverlayActor& overlay, CellIndex cell) const {
   const IntervalMap& map = *g.snapshot->intervalMap;
   if (!map.frame.contains(cell)) return;
   pin(g.base);
-  for (const HeightInterval& r : map.cell(cell)) {
-    if (r.min > g.cut) break;
-    const double high = std::min<double>(r.max, g.cut);
-    overlay.addCellBox(map.frame, cell, std::min<double>(r.min, high - minimumBoxThickness(map.frame)), high);
-  }
+  for (const HeightInterval& r : map.cell(cell))
+    if (const auto part = shownPart(r, map.frame, g.cut, g.options.clip ? &*g.options.clip : nullptr))
+      overlay.addCellBox(map.frame, cell, part->first, part->second);
 }
 
 void MapView::markPlane(PlaneLabel label) {
@@ -164,7 +170,7 @@ void MapView::markPlane(PlaneLabel label) {
   if (!cells) return;
   const IntervalMap& map = *g.snapshot->intervalMap;
   for (const CellIndex c : cells->cells) {
-    if (!map.frame.contains(c)) continue;
+    if (!map.frame.contains(c) || (g.options.clip && !g.options.clip->contains(map.frame, c))) continue;
     if (kind_ == Kind::Columns) {
       const double z = (*g.columnHeights)[map.frame.offset(c)];
       if (!std::isnan(z)) marked_.addCellTop(map.frame, c, z);
@@ -180,6 +186,18 @@ void MapView::markPlane(PlaneLabel label) {
   }
 }
 
+void MapView::markEdge(EdgeRef ref) {
+  const ViewGeometry& g = *geometry_;
+  const Edge* edge = edgeOf(*g.snapshot, ref);
+  if (!edge) return;
+  // Lifted a little, or it would lie inside the cells it runs through.
+  const Eigen::Vector3d up(0, 0, g.snapshot->cells->frame.cell);
+  cell_.addSegment(edge->from + up, edge->to + up);
+  const EdgePlanes joined = (*g.edgePlanes)[static_cast<size_t>(ref.scan)][ref.index];
+  for (const PlaneLabel label : {joined.a, joined.b})
+    if (label != kNoPlane) markPlane(label);
+}
+
 void MapView::highlight() {
   marked_.clear();
   cell_.clear();
@@ -192,8 +210,10 @@ void MapView::highlight() {
       markCell(cell_, *cell);
     } else if (const auto* label = std::get_if<PlaneLabel>(&selection_.get())) {
       markPlane(*label);
+    } else if (const auto* edge = std::get_if<EdgeRef>(&selection_.get())) {
+      markEdge(*edge);
     }
-    marked_.commit(g.cut);
+    marked_.commit(g.cut, g.options.clip);
     cell_.commit(std::numeric_limits<double>::infinity());
   }
   scheduleRender();

@@ -39,6 +39,7 @@ private:
   void highlight();
   void markCell(OverlayActor& overlay, CellIndex cell) const;
   void markPlane(PlaneLabel label);
+  void markEdge(EdgeRef ref);
 
   Kind kind_;
   Selection& selection_;

@@ -62,7 +62,7 @@ void OverlayActor::addCellTop(const MapFrame& frame, CellIndex cell, double z) {
   quads_.insert(quads_.end(), {{p.x(), p.y(), h}, {q.x(), p.y(), h}, {q.x(), q.y(), h}, {p.x(), q.y(), h}});
 }
 
-void OverlayActor::commit(double cut) {
+void OverlayActor::commit(double cut, const std::optional<ClipBox>& clip) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> verts, lines, polys;
   const auto add = [&](const Eigen::Vector3f& p) { return points->InsertNextPoint(p.x(), p.y(), p.z()); };
@@ -83,7 +83,21 @@ void OverlayActor::commit(double cut) {
   data_->SetVerts(verts);
   data_->SetLines(lines);
   data_->SetPolys(polys);
-  cut_->SetOrigin(0, 0, std::min(cut + 1e-4, 1e9));
+  constexpr double kAside = 1e-4;  // what lies on the bounds is inside
+  if (clip) cut = std::min(cut, clip->high.z());
+  cut_->SetOrigin(0, 0, std::min(cut + kAside, 1e9));
+  mapper_->RemoveAllClippingPlanes();
+  mapper_->AddClippingPlane(cut_);
+  if (!clip) return;
+  const Eigen::Vector3d low = clip->low.array() - kAside, high = clip->high.array() + kAside;
+  for (size_t i = 0; i < sides_.size(); ++i) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    normal[static_cast<int>(i / 2)] = i % 2 ? -1 : 1;
+    sides_[i]->SetNormal(normal.data());
+    Eigen::Vector3d origin = i % 2 ? high : low;
+    sides_[i]->SetOrigin(origin.data());
+    mapper_->AddClippingPlane(sides_[i]);
+  }
 }
 
 void OverlayActor::setColour(Rgb c) {

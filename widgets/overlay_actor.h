@@ -10,10 +10,13 @@
 #include <vtkRenderer.h>
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "map/map_frame.h"
+#include "widgets/clip_box.h"
 #include "widgets/colour_maps.h"
 
 namespace stratascope {
@@ -32,8 +35,8 @@ public:
   void addCellBox(const MapFrame& frame, CellIndex cell, double low, double high);
   /// The top of a cell at height z.
   void addCellTop(const MapFrame& frame, CellIndex cell, double z);
-  /// Shows what was added since clear(), up to the cut.
-  void commit(double cut);
+  /// Shows what was added since clear(), up to the cut and inside the box, if there is one.
+  void commit(double cut, const std::optional<ClipBox>& clip = {});
 
   void setColour(Rgb colour);
   void setSizes(double pointPixels, double linePixels);
@@ -44,6 +47,7 @@ private:
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;
   vtkNew<vtkPlane> cut_;
+  std::array<vtkNew<vtkPlane>, 5> sides_;  ///< of the clip box, but its top, which is the cut
 };
 
 }  // namespace stratascope

@@ -61,16 +61,20 @@ std::optional<CellIndex> walkGrid(const PickRay& ray, const MapFrame& frame, con
 
 }  // namespace
 
-size_t pickPoint(std::span<const Eigen::Vector3f> points, const Projection& projection, double x, double y,
-                 double radius, double cut) {
+namespace {
+
+template <class Shown>
+size_t nearestAt(std::span<const Eigen::Vector3f> points, const Projection& projection, double x, double y,
+                 double radius, size_t count, const Shown& shown) {
   const Eigen::Matrix4f m = projection.ndc_T_map.cast<float>();
   const auto w = static_cast<float>(projection.width), h = static_cast<float>(projection.height);
   const auto px = static_cast<float>(x), py = static_cast<float>(y), r2 = static_cast<float>(radius * radius);
   size_t best = kNothingPicked;
   float bestDepth = std::numeric_limits<float>::infinity();
-  for (size_t i = 0; i < points.size(); ++i) {
+  for (size_t n = 0; n < count; ++n) {
+    const size_t i = shown(n);
+    if (i == kNothingPicked) continue;
     const Eigen::Vector3f& p = points[i];
-    if (!(p.z() <= cut)) continue;
     const Eigen::Vector4f q = m * Eigen::Vector4f(p.x(), p.y(), p.z(), 1);
     if (!(q.w() > 0)) continue;
     const float dx = (q.x() / q.w() + 1) * 0.5f * w - px, dy = (q.y() / q.w() + 1) * 0.5f * h - py;
@@ -83,6 +87,20 @@ size_t pickPoint(std::span<const Eigen::Vector3f> points, const Projection& proj
   return best;
 }
 
+}  // namespace
+
+size_t pickPoint(std::span<const Eigen::Vector3f> points, const Projection& projection, double x, double y,
+                 double radius, double cut) {
+  return nearestAt(points, projection, x, y, radius, points.size(),
+                   [&](size_t n) { return points[n].z() <= cut ? n : kNothingPicked; });
+}
+
+size_t pickPoint(std::span<const Eigen::Vector3f> points, std::span<const std::int32_t> among,
+                 const Projection& projection, double x, double y, double radius) {
+  return nearestAt(points, projection, x, y, radius, among.size(),
+                   [&](size_t n) { return static_cast<size_t>(among[n]); });
+}
+
 std::optional<CellIndex> pickColumn(const PickRay& ray, const MapFrame& frame, std::span<const float> heights,
                                     double base) {
   return walkGrid(ray, frame, [&](CellIndex c, double low, double high) {
@@ -91,12 +109,13 @@ std::optional<CellIndex> pickColumn(const PickRay& ray, const MapFrame& frame, s
   });
 }
 
-std::optional<CellIndex> pickBox(const PickRay& ray, const IntervalMap& map, double cut) {
-  const double thickness = minimumBoxThickness(map.frame);
+std::optional<CellIndex> pickBox(const PickRay& ray, const IntervalMap& map, double cut,
+                                 const ClipBox* clip) {
   return walkGrid(ray, map.frame, [&](CellIndex c, double low, double high) {
+    if (clip && !clip->contains(map.frame, c)) return false;
     return std::ranges::any_of(map.cell(c), [&](const HeightInterval& r) {
-      const double top = std::min<double>(r.max, cut);
-      return r.min <= cut && low <= top && high >= std::min<double>(r.min, top - thickness);
+      const auto part = shownPart(r, map.frame, cut, clip);
+      return part && low <= part->second && high >= part->first;
     });
   });
 }

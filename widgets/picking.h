@@ -8,6 +8,7 @@
 #include <span>
 
 #include "map/maps.h"
+#include "widgets/clip_box.h"
 
 namespace stratascope {
 
@@ -30,12 +31,17 @@ inline constexpr size_t kNothingPicked = std::numeric_limits<size_t>::max();
 size_t pickPoint(std::span<const Eigen::Vector3f> points, const Projection& projection, double x, double y,
                  double radius, double cut);
 
+/// The same among those of the points whose numbers are given.
+size_t pickPoint(std::span<const Eigen::Vector3f> points, std::span<const std::int32_t> among,
+                 const Projection& projection, double x, double y, double radius);
+
 /// The first cell whose column (from base to its height) the ray meets: walks the grid cell by cell along the
 /// ray.
 std::optional<CellIndex> pickColumn(const PickRay& ray, const MapFrame& frame, std::span<const float> heights,
                                     double base);
 
-/// The first cell with a box below the cut that the ray meets.
-std::optional<CellIndex> pickBox(const PickRay& ray, const IntervalMap& map, double cut);
+/// The first cell with a box below the cut, and in the clip box, that the ray meets.
+std::optional<CellIndex> pickBox(const PickRay& ray, const IntervalMap& map, double cut,
+                                 const ClipBox* clip = nullptr);
 
 }  // namespace stratascope

@@ -12,6 +12,7 @@
 
 #include "base/units.h"
 #include "widgets/column_view.h"
+#include "widgets/edge_table.h"
 #include "widgets/point_explanation.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
@@ -204,6 +205,32 @@ QString planeHtml(const ViewGeometry& g, PlaneLabel label, const QString& muted)
   return page.html();
 }
 
+QString edgeHtml(const ViewGeometry& g, EdgeRef ref, const QString& muted) {
+  const Edge* edge = edgeOf(*g.snapshot, ref);
+  if (!edge) return {};
+  Page page(muted, QObject::tr("%1 edge").arg(edgeKindText(edge->kind)));
+  const Rgb c = edgeColour(edge->kind);
+  page.row(QObject::tr("Kind"), swatch(c) + edgeKindText(edge->kind));
+  page.row(QObject::tr("Vertical"), edge->vertical ? QObject::tr("yes") : QObject::tr("no"));
+  page.row(QObject::tr("Length"), metresText((edge->to - edge->from).norm()));
+  const EdgePlanes joined = (*g.edgePlanes)[static_cast<size_t>(ref.scan)][ref.index];
+  QStringList planes;
+  for (const PlaneLabel label : {joined.a, joined.b})
+    if (label != kNoPlane) planes << planeLink(g, label);
+  page.row(edge->kind == EdgeKind::Jump ? QObject::tr("Ends") : QObject::tr("Joins"),
+           planes.isEmpty() ? QObject::tr("none") : planes.join(QStringLiteral("<br>")));
+  const Plane* a = joined.a == kNoPlane ? nullptr : g.snapshot->plane(joined.a);
+  const Plane* b = joined.b == kNoPlane ? nullptr : g.snapshot->plane(joined.b);
+  if (a && b)
+    page.row(QObject::tr("Between normals"),
+             degreesText(radToDeg(std::acos(std::clamp(a->normal.dot(b->normal), -1.0, 1.0)))));
+  page.row(QObject::tr("From"), vectorText(edge->from));
+  page.row(QObject::tr("To"), vectorText(edge->to));
+  page.row(QObject::tr("Points"), countText(edge->points));
+  page.row(QStringLiteral("σ"), metresText(edge->sigma, 4));
+  return page.html();
+}
+
 QString scansHtml(const Snapshot& s, const QString& muted) {
   QString html;
   for (const ScanProducts& products : s.scans) {
@@ -279,6 +306,8 @@ void ProbePanel::refresh() {
       html = cellHtml(*geometry_, *cell, muted);
     else if (const auto* label = std::get_if<PlaneLabel>(&selected))
       html = planeHtml(*geometry_, *label, muted);
+    else if (const auto* edge = std::get_if<EdgeRef>(&selected))
+      html = edgeHtml(*geometry_, *edge, muted);
   }
   const auto* cell = std::get_if<CellIndex>(&selected);
   const auto* label = std::get_if<PlaneLabel>(&selected);

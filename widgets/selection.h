@@ -19,7 +19,14 @@ struct PointRef {
   bool operator==(const PointRef&) const = default;
 };
 
-using Selected = std::variant<std::monostate, PointRef, CellIndex, PlaneLabel>;
+/// An edge of a snapshot by its place in the scan's list.
+struct EdgeRef {
+  int scan = 0;
+  std::uint32_t index = 0;
+  bool operator==(const EdgeRef&) const = default;
+};
+
+using Selected = std::variant<std::monostate, PointRef, CellIndex, PlaneLabel, EdgeRef>;
 
 /// What is selected, at most one thing. All views and panels follow this one object.
 class Selection : public QObject {

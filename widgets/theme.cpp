@@ -74,8 +74,8 @@ QString styleSheetFor(const QPalette& p) {
     QSplitter::handle { background: transparent; }
     QFrame#messageBar { background: #b3363b; border: none; }
     QFrame#messageBar QLabel { color: white; }
-    QCheckBox::indicator { border: 1px solid @muted; background: @base; border-radius: 3px; width: 13px; height: 13px; }
-    QCheckBox::indicator:checked { border-color: @accent; background: @accent; image: url(:/icons/check.svg); }
+    QCheckBox::indicator, QTableView::indicator { border: 1px solid @muted; background: @base; border-radius: 3px; width: 13px; height: 13px; }
+    QCheckBox::indicator:checked, QTableView::indicator:checked { border-color: @accent; background: @accent; image: url(:/icons/check.svg); }
     QTableView { border: none; border-top: 1px solid @line; gridline-color: @line; }
     QTextBrowser { border: none; border-top: 1px solid @line; }
     QHeaderView::section { border: none; border-bottom: 1px solid @line; background: @panel; color: @muted; padding: 4px 6px; }

@@ -4,6 +4,7 @@
 
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace stratascope {
 
@@ -17,7 +18,8 @@ ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent), sel
   maps_->addWidget(columns_);
   maps_->addWidget(boxes_);
   rows_ = new QSplitter(Qt::Vertical);
-  rows_->addWidget(cloud_);
+  pair_ = new CloudPair(cloud_, selection);
+  rows_->addWidget(pair_);
   rows_->addWidget(maps_);
   for (QSplitter* s : {maps_, rows_}) {
     s->setHandleWidth(6);
@@ -35,6 +37,25 @@ ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent), sel
     connect(view, &VtkView::hoverText, this, &ViewArea::hoverText);
     connect(view, &VtkView::cameraMoved, this, [this, view] { follow(view); });
   }
+  connect(pair_, &CloudPair::cameraMoved, this, [this] { follow(cloud_); });
+  connect(pair_, &CloudPair::hoverText, this, &ViewArea::hoverText);
+  connect(pair_, &CloudPair::maximiseToggled, this, [this] { toggleMaximised(cloud_); });
+}
+
+Eigen::AlignedBox3d ViewArea::shownBounds() const {
+  const auto& clip = geometry_->options.clip;
+  if (!clip) return geometry_->bounds;
+  // Stragglers outside must not make the data small, but what the box was put around is to be seen whole.
+  Eigen::AlignedBox3d all = geometry_->bounds;
+  for (const double z : {geometry_->lowest, std::min(geometry_->cut, geometry_->highest)})
+    all.extend(Eigen::Vector3d(all.center().x(), all.center().y(), z));
+  const Eigen::Vector3d beside(0.3, 0.3, 0.3);
+  all = Eigen::AlignedBox3d(all.min() - beside, all.max() + beside);
+  const auto inside = all.intersection(Eigen::AlignedBox3d(clip->low, clip->high));
+  if (inside.isEmpty()) return geometry_->bounds;
+  // Room for the handles of the box.
+  const Eigen::Vector3d around = Eigen::Vector3d::Constant(0.08 * inside.diagonal().norm());
+  return {inside.min() - around, inside.max() + around};
 }
 
 void ViewArea::setGeometry(const ViewGeometryPtr& geometry) {
@@ -47,7 +68,8 @@ void ViewArea::setGeometry(const ViewGeometryPtr& geometry) {
 void ViewArea::look(ViewDirection direction) {
   direction_ = direction;
   if (!geometry_) return;
-  for (VtkView* view : views_) view->look(geometry_->bounds, geometry_->viewing, direction);
+  for (VtkView* view : views_) view->look(shownBounds(), geometry_->viewing, direction);
+  pair_->sync();
 }
 
 void ViewArea::setLinked(bool linked) {
@@ -57,17 +79,20 @@ void ViewArea::setLinked(bool linked) {
 
 void ViewArea::setPerspective(bool perspective) {
   for (VtkView* view : views_) view->setPerspective(perspective);
+  pair_->sync();
 }
 
 void ViewArea::setGrid(bool visible) {
   cloud_->setGrid(visible);
   columns_->setGrid(visible);
   boxes_->setGrid(visible);
+  pair_->sync();
 }
 
 void ViewArea::fit() {
   if (!geometry_) return;
-  for (VtkView* view : views_) view->fit(geometry_->bounds);
+  for (VtkView* view : views_) view->fit(shownBounds());
+  pair_->sync();
 }
 
 void ViewArea::orbitSelection() {
@@ -82,23 +107,29 @@ void ViewArea::orbitSelection() {
     about = {c.x(), c.y(), records.empty() ? about.z() : records.front().max};
   } else if (const auto* label = std::get_if<PlaneLabel>(&selection_.get())) {
     if (const Plane* plane = s.plane(*label)) about = plane->centroid;
+  } else if (const auto* ref = std::get_if<EdgeRef>(&selection_.get())) {
+    if (const Edge* edge = edgeOf(s, *ref)) about = (edge->from + edge->to) / 2;
   }
   for (VtkView* view : views_) view->orbitAbout(about);
+  pair_->sync();
 }
 
 void ViewArea::renderNow() {
   for (VtkView* view : views_) view->renderNow();
+  pair_->renderNow();
 }
 
 void ViewArea::follow(VtkView* leader) {
   if (!linked_) return;
   for (VtkView* view : views_)
     if (view != leader && view->isVisible()) view->copyCamera(*leader);
+  pair_->sync();
 }
 
 void ViewArea::toggleMaximised(VtkView* view) {
   maximised_ = maximised_ ? nullptr : view;
   for (VtkView* v : views_) v->setVisible(!maximised_ || v == maximised_);
+  pair_->setVisible(!maximised_ || maximised_ == cloud_);
   maps_->setVisible(!maximised_ || maximised_ != cloud_);
   if (!maximised_ && linked_) follow(view);
   for (VtkView* v : views_) v->scheduleRender();

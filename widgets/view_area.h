@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <array>
 
-#include "widgets/cloud_view.h"
+#include "widgets/cloud_pair.h"
 #include "widgets/map_view.h"
 
 class QSplitter;
@@ -37,6 +37,8 @@ public:
   void renderNow();
 
   CloudView* cloud() const { return cloud_; }
+  /// The cloud and, beside it, that of a kept result.
+  CloudPair* pair() const { return pair_; }
   MapView* columns() const { return columns_; }
   MapView* boxes() const { return boxes_; }
   /// Cloud, columns, boxes.
@@ -48,8 +50,10 @@ signals:
 
 private:
   void follow(VtkView* leader);
+  Eigen::AlignedBox3d shownBounds() const;
 
   CloudView* cloud_;
+  CloudPair* pair_;
   MapView* columns_;
   MapView* boxes_;
   std::array<VtkView*, 3> views_;

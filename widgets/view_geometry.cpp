@@ -199,7 +199,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(ViewGeometry& g,
         c = classColour(surface);
         break;
       case CloudColouring::Plane:
-        c = planeColour(g.numbers.of(labelOf(*g.snapshot, ref)));
+        c = colourOfPlane(options, g.numbers.of(labelOf(*g.snapshot, ref)));
         break;
       case CloudColouring::Direction:
         c = directionColour(normalOf(*g.snapshot, ref));
@@ -213,6 +213,38 @@ std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(ViewGeometry& g,
   return rgb;
 }
 
+std::shared_ptr<const std::vector<std::int32_t>> shownPoints(const ViewGeometry& g) {
+  auto shown = std::make_shared<std::vector<std::int32_t>>();
+  const auto& clip = g.options.clip;
+  std::vector<PlaneLabel> hidden;
+  for (const std::uint32_t number : g.options.hiddenPlanes)
+    if (const PlaneLabel label = g.numbers.labelOf(number); label != kNoPlane) hidden.push_back(label);
+  for (size_t i = 0; i < g.cloud->positions.size(); ++i) {
+    const Eigen::Vector3f& p = g.cloud->positions[i];
+    if (p.z() > g.cut || (clip && !clip->contains(p.cast<double>()))) continue;
+    if (!hidden.empty() &&
+        std::ranges::find(hidden, labelOf(*g.snapshot, g.cloud->source[i])) != hidden.end())
+      continue;
+    shown->push_back(static_cast<std::int32_t>(i));
+  }
+  return shown;
+}
+
+/// Planes of edges as in the last result, where neither edges nor planes changed.
+std::shared_ptr<const std::vector<std::vector<EdgePlanes>>> joinEdges(const Snapshot& now,
+                                                                      const ViewGeometry* old) {
+  const auto same = [](const ScanProducts& x, const ScanProducts& y) {
+    return x.edges == y.edges && x.planes == y.planes && x.points == y.points;
+  };
+  if (old && std::ranges::equal(now.scans, old->snapshot->scans, same)) return old->edgePlanes;
+  auto out = std::make_shared<std::vector<std::vector<EdgePlanes>>>();
+  for (const ScanProducts& scan : now.scans) {
+    out->push_back(planesOfEdges(scan));
+    if (scan.edges) out->back().resize(scan.edges->edges.size());
+  }
+  return out;
+}
+
 void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   const Snapshot& snapshot = *g.snapshot;
   const ViewOptions& options = g.options;
@@ -222,7 +254,8 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   const bool lookStands = heightsStand && g.cut == old->cut && g.finalLines == old->finalLines &&
                           options.mapColouring == old->options.mapColouring &&
                           options.colourMap == old->options.colourMap &&
-                          options.mapRange == old->options.mapRange;
+                          options.mapRange == old->options.mapRange && options.clip == old->options.clip;
+  const ClipBox* clip = options.clip ? &*options.clip : nullptr;
   const bool columnsStand =
       lookStands && old->columns && snapshot.cells == old->snapshot->cells && (!byRecords || sameIntervals);
   const bool boxesStand = lookStands && old->boxes && sameIntervals;
@@ -247,7 +280,7 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
     g.columns = old->columns;
     g.columnsCoarse = old->columnsCoarse;
   } else {
-    g.columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot.cells, g.cut));
+    g.columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot.cells, g.cut, clip));
     const auto mesh = [&](MeshDetail detail) {
       return std::make_shared<const MapMesh>(buildColumnMesh(snapshot.cells->frame, *g.columnHeights, ofCells,
                                                              g.base, g.mapScale, detail, provisional));
@@ -262,12 +295,16 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   } else {
     const auto mesh = [&](MeshDetail detail) {
       return std::make_shared<const MapMesh>(
-          buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail, provisional));
+          buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail, clip, provisional));
     };
     g.boxes = mesh(MeshDetail::Full);
     g.boxesCoarse = mesh(MeshDetail::Coarse);
-    g.boxCount = static_cast<size_t>(std::ranges::count_if(
-        snapshot.intervalMap->records, [&](const HeightInterval& r) { return r.min <= g.cut; }));
+    const IntervalMap& map = *snapshot.intervalMap;
+    for (size_t o = 0; o + 1 < map.first.size(); ++o) {
+      if (clip && !clip->contains(map.frame, map.frame.index(o))) continue;
+      for (std::uint32_t i = map.first[o]; i < map.first[o + 1]; ++i)
+        g.boxCount += shownPart(map.records[i], map.frame, g.cut, clip).has_value();
+    }
   }
 }
 
@@ -304,6 +341,21 @@ SurfaceClass classOf(const Snapshot& snapshot, PointRef p) {
   return neuron ? scan.classes->classes(*neuron) : SurfaceClass::Unknown;
 }
 
+Rgb colourOfPlane(const ViewOptions& options, std::uint32_t number) {
+  const auto own = options.planeColours.find(number);
+  return own == options.planeColours.end() ? planeColour(number) : own->second;
+}
+
+bool planeHidden(const ViewOptions& options, std::uint32_t number) {
+  return std::ranges::binary_search(options.hiddenPlanes, number);
+}
+
+const Edge* edgeOf(const Snapshot& snapshot, EdgeRef e) {
+  if (e.scan < 0 || static_cast<size_t>(e.scan) >= snapshot.scans.size()) return nullptr;
+  const auto& set = snapshot.scans[static_cast<size_t>(e.scan)].edges;
+  return set && e.index < set->edges.size() ? &set->edges[e.index] : nullptr;
+}
+
 ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options,
                                   const ViewGeometryPtr& previous, const StreamStand& stream) {
   require(snapshot != nullptr, "buildViewGeometry: no snapshot");
@@ -334,7 +386,7 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
                            : numberPlanes(*snapshot, pointsStand || (old && stream.goesOn) ? old : nullptr);
   if (heightsStand && g->finalLines == old->finalLines && sameColours(*snapshot, *old->snapshot) &&
       options.colouring == old->options.colouring && options.colourMap == old->options.colourMap &&
-      options.cloudRange == old->options.cloudRange) {
+      options.cloudRange == old->options.cloudRange && options.planeColours == old->options.planeColours) {
     g->cloudRgb = old->cloudRgb;
     g->classCounts = old->classCounts;
     g->cloudScale = old->cloudScale;
@@ -342,14 +394,13 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
     g->cloudRgb = colourCloud(*g, g->classCounts);
   }
 
-  if (pointsStand && g->cut == old->cut) {
+  const bool hides = !options.hiddenPlanes.empty();
+  if (pointsStand && g->cut == old->cut && options.clip == old->options.clip &&
+      options.hiddenPlanes == old->options.hiddenPlanes && (planesStand || !hides))
     g->cloudShown = old->cloudShown;
-  } else {
-    auto shown = std::make_shared<std::vector<std::int32_t>>();
-    for (size_t i = 0; i < g->cloud->positions.size(); ++i)
-      if (g->cloud->positions[i].z() <= g->cut) shown->push_back(static_cast<std::int32_t>(i));
-    g->cloudShown = std::move(shown);
-  }
+  else
+    g->cloudShown = shownPoints(*g);
+  g->edgePlanes = joinEdges(*snapshot, old);
 
   g->base = g->heights.low;
   buildMaps(*g, old, heightsStand);

@@ -5,13 +5,16 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "pipeline/edge_planes.h"
 #include "pipeline/snapshot.h"
 #include "segment/display_numbers.h"
+#include "widgets/clip_box.h"
 #include "widgets/colour_maps.h"
 #include "widgets/colouring.h"
 #include "widgets/map_mesh.h"
@@ -28,6 +31,9 @@ struct ViewOptions {
   std::optional<std::pair<double, double>> cloudRange, mapRange;
   std::optional<double>
       cut;  ///< hide what is above this height; without a value: below the ceiling, if there is one
+  std::optional<ClipBox> clip;                ///< show only what lies inside
+  std::vector<std::uint32_t> hiddenPlanes;    ///< by their numbers, ascending
+  std::map<std::uint32_t, Rgb> planeColours;  ///< own colours of planes, by their numbers
   bool operator==(const ViewOptions&) const = default;
 };
 
@@ -44,6 +50,17 @@ struct StreamStand {
   bool goesOn = false;  ///< the geometry before shows an earlier state of the same stream
 };
 
+/// What colours mean where the options do not say it.
+struct ColourKey {
+  struct Entry {
+    Rgb colour;
+    QString name;
+    size_t count = 0;
+  };
+  QString title;
+  std::vector<Entry> entries;
+};
+
 /// What the views draw. Immutable; made off the window's thread. Parts that did not change are shared with
 /// the one before.
 struct ViewGeometry {
@@ -54,7 +71,8 @@ struct ViewGeometry {
   std::shared_ptr<const CloudGeometry> cloud;
   std::shared_ptr<const std::vector<std::uint8_t>> cloudRgb;  ///< three a point, in cloud's order
   std::shared_ptr<const std::vector<std::int32_t>>
-      cloudShown;  ///< which of cloud's points lie at or below the cut, ascending
+      cloudShown;  ///< which of cloud's points lie below the cut, in the clip box and on no hidden plane,
+                   ///< ascending
   std::array<size_t, kSurfaceClassCount> classCounts{};
 
   std::shared_ptr<const std::vector<float>>
@@ -65,7 +83,10 @@ struct ViewGeometry {
   ColourScale cloudScale;  ///< of the cloud's colours, if they are numbers
   ColourScale mapScale;    ///< of both maps' colours
   DisplayNumbers numbers;  ///< of the planes
-  double base = 0;         ///< columns stand on this height
+  /// Which planes each edge joins: one list a scan, in the order of its edges.
+  std::shared_ptr<const std::vector<std::vector<EdgePlanes>>> edgePlanes;
+  std::shared_ptr<const ColourKey> cloudKey, mapKey;  ///< null: colours are those of the options
+  double base = 0;                                    ///< columns stand on this height
 
   double lowest = 0, highest = 1;                        ///< of all points
   double cut = std::numeric_limits<double>::infinity();  ///< in force
@@ -73,6 +94,12 @@ struct ViewGeometry {
   Eigen::Vector3d viewing = Eigen::Vector3d::UnitX();
 };
 using ViewGeometryPtr = std::shared_ptr<const ViewGeometry>;
+
+/// Its own colour, or the one of its number.
+Rgb colourOfPlane(const ViewOptions& options, std::uint32_t number);
+bool planeHidden(const ViewOptions& options, std::uint32_t number);
+/// nullptr if the snapshot has no such edge.
+const Edge* edgeOf(const Snapshot& snapshot, EdgeRef edge);
 
 /// Takes over from `previous` whatever still holds. Deterministic.
 ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& options,

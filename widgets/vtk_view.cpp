@@ -113,8 +113,8 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   header_ = new QWidget(this);
   header_->setObjectName("viewHeader");
   header_->setToolTip(tr("Double-click to enlarge this view or to go back"));
-  auto* name = new QLabel(title, header_);
-  name->setObjectName("viewTitle");
+  title_ = new QLabel(title, header_);
+  title_->setObjectName("viewTitle");
   subtitle_ = new PartsLabel(header_);
   maximise_ = new QToolButton(header_);
   maximise_->setAutoRaise(true);
@@ -123,7 +123,7 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   headerLayout_ = new QHBoxLayout(header_);
   headerLayout_->setContentsMargins(10, 3, 4, 3);
   headerLayout_->setSpacing(8);
-  headerLayout_->addWidget(name);
+  headerLayout_->addWidget(title_);
   headerLayout_->addWidget(subtitle_, 1);
   headerLayout_->addWidget(maximise_);
 
@@ -176,6 +176,10 @@ VtkView::~VtkView() {
   header_->removeEventFilter(this);
 }
 
+void VtkView::setTitle(const QString& text) {
+  title_->setText(text);
+}
+
 void VtkView::setSubtitle(const QString& text) {
   subtitle_->setText(text);
 }
@@ -195,12 +199,17 @@ void VtkView::setMaximised(bool maximised) {
   maximise_->setChecked(maximised);
 }
 
+vtkRenderWindowInteractor* VtkView::interactor() const {
+  return canvas_->interactor();
+}
+
 QWidget* VtkView::canvas() const {
   return canvas_;
 }
 
 void VtkView::look(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& viewing, ViewDirection direction) {
-  const double aspect = static_cast<double>(std::max(1, canvas_->width())) / std::max(1, canvas_->height());
+  const int width = wholeWidth_ > 0 ? wholeWidth_ : canvas_->width();
+  const double aspect = static_cast<double>(std::max(1, width)) / std::max(1, canvas_->height());
   // A legend as wide as half the picture gets a strip of its own, a narrow one stands beside the data.
   const bool strip = legend_ && legend_->isVisible() && 2 * legend_->width() > canvas_->width();
   const double covered =
@@ -227,6 +236,40 @@ CameraState VtkView::cameraState() const {
 void VtkView::setCameraState(const CameraState& state) {
   setState(*renderer_->GetActiveCamera(), state);
   scheduleRender();
+}
+
+void VtkView::mirrorCamera(const VtkView& other) {
+  other.applyPart();
+  vtkCamera* to = renderer_->GetActiveCamera();
+  vtkCamera* from = other.renderer_->GetActiveCamera();
+  to->SetParallelProjection(from->GetParallelProjection());
+  to->SetViewAngle(from->GetViewAngle());
+  to->SetWindowCenter(to->GetWindowCenter()[0], from->GetWindowCenter()[1]);
+  to->SetPosition(from->GetPosition());
+  to->SetFocalPoint(from->GetFocalPoint());
+  to->SetViewUp(from->GetViewUp());
+  to->SetParallelScale(from->GetParallelScale());
+  // Coarse only while the camera moves: what changes in the other view need not change in this one.
+  if (other.cameraMoving_ && other.moving_)
+    setCoarse(true);
+  else if (!moving_)
+    setCoarse(false);
+  scheduleRender();
+}
+
+void VtkView::setPicturePart(int left, int whole) {
+  partLeft_ = left;
+  wholeWidth_ = whole;
+  applyPart();
+  scheduleRender();
+}
+
+void VtkView::applyPart() const {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  const double width = std::max(1, canvas_->width());
+  // In half widths of the canvas, from the middle of the whole picture to that of the part.
+  const double aside = wholeWidth_ > 0 ? (2 * partLeft_ + width - wholeWidth_) / width : 0.0;
+  camera->SetWindowCenter(aside, camera->GetWindowCenter()[1]);
 }
 
 void VtkView::setPerspective(bool perspective) {
@@ -266,6 +309,7 @@ void VtkView::renderNow() {
   if (!canvas_->isVisible()) return;
   QElapsedTimer timer;
   timer.start();
+  applyPart();
   renderer_->ResetCameraClippingRange();
   window_->Render();
   emit drawn(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
@@ -299,6 +343,7 @@ Projection VtkView::projection() const {
   Projection out;
   out.width = std::max(1.0, canvas_->width() * ratio);
   out.height = std::max(1.0, canvas_->height() * ratio);
+  applyPart();
   vtkMatrix4x4* m =
       renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix(out.width / out.height, -1, 1);
   for (int r = 0; r < 4; ++r)

@@ -14,8 +14,10 @@
 #include "widgets/picking.h"
 
 class QBoxLayout;
+class QLabel;
 class QToolButton;
 class QVTKOpenGLNativeWidget;
+class vtkRenderWindowInteractor;
 
 namespace stratascope {
 
@@ -29,6 +31,7 @@ public:
   explicit VtkView(const QString& title, QWidget* parent = nullptr);
   ~VtkView() override;
 
+  void setTitle(const QString& text);
   void setSubtitle(const QString& text);
   /// Shown at the right of the header.
   void addHeaderWidget(QWidget* widget);
@@ -40,6 +43,11 @@ public:
   void copyCamera(const VtkView& other);
   CameraState cameraState() const;
   void setCameraState(const CameraState& state);
+  /// The very same picture of the scene, as far as it goes.
+  void mirrorCamera(const VtkView& other);
+  /// The canvas shows a part of a wider picture, which begins `left` pixels of the widget to its left and is
+  /// `whole` wide. A width of 0: all of it.
+  void setPicturePart(int left, int whole);
   /// Without perspective parallel lines stay parallel and lengths can be compared.
   void setPerspective(bool perspective);
   /// Moves the camera without turning it, so that it turns about this point from now on.
@@ -77,6 +85,7 @@ protected:
   /// While the camera moves.
   virtual void setCoarse(bool coarse) = 0;
   vtkRenderer* renderer() const { return renderer_; }
+  vtkRenderWindowInteractor* interactor() const;
   bool eventFilter(QObject* object, QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
@@ -85,10 +94,12 @@ private:
   void endMove();
   void placeLegend();
   void applyPalette();
+  void applyPart() const;
 
   QVTKOpenGLNativeWidget* canvas_;
   QWidget* header_;
   QBoxLayout* headerLayout_;
+  QLabel* title_;
   PartsLabel* subtitle_;
   QToolButton* maximise_;
   QWidget* legend_ = nullptr;
@@ -99,6 +110,7 @@ private:
   QTimer hover_;
   QPoint hoverAt_;
   QPoint pressed_;
+  int partLeft_ = 0, wholeWidth_ = 0;
   bool pressedLeft_ = false;
   bool moving_ = false;        ///< drawn coarse
   bool cameraMoving_ = false;  ///< because the camera moves: linked views follow
