@@ -32,6 +32,7 @@
 #include "widgets/probe_panel.h"
 #include "widgets/stage_strip.h"
 #include "widgets/status_strip.h"
+#include "widgets/sweep_panel.h"
 #include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
@@ -120,6 +121,7 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
 
   buildDocks();
   actions_ = new Actions(*this, *session_, *cut_);
+  buildChartMenu();
   connectParts();
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
@@ -148,6 +150,7 @@ void MainWindow::buildDocks() {
   log_ = new LogPanel;
   auto* log = dock(tr("Log"), "logDock", log_, Qt::BottomDockWidgetArea);
   log->hide();
+  buildChartDocks(log);
   help_ = new HelpPanel;
   helpDock_ = dock(tr("Help"), "helpDock", help_, Qt::RightDockWidgetArea);
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
@@ -289,6 +292,7 @@ SnapshotPtr MainWindow::snapshot() const {
 void MainWindow::setParams(const PipelineParams& params) {
   if (!(params_->params() == params)) params_->setParams(params);
   presets_->setParams(params);
+  sweep_->setParams(params);
   bridge_->setParams(params);
 }
 

@@ -20,7 +20,9 @@ class QTimer;
 
 namespace stratascope {
 
+enum class ChartKind;
 class Actions;
+class ChartPanel;
 class CutControl;
 class HelpPanel;
 class LogPanel;
@@ -33,6 +35,7 @@ class ProbePanel;
 class Session;
 class StageStrip;
 class StatusStrip;
+class SweepPanel;
 class ViewArea;
 class WelcomePage;
 
@@ -75,6 +78,8 @@ public:
   LogPanel& log() { return *log_; }
   HelpPanel& help() { return *help_; }
   PlanePanel& planes() { return *planes_; }
+  ChartPanel& charts() { return *charts_; }
+  SweepPanel& sweep() { return *sweep_; }
   QString hint() const;
 
 public slots:
@@ -87,6 +92,8 @@ public slots:
   void copyCommandLine();
   void showHelp();
   void showKeys();
+  void showChart(ChartKind kind);
+  void showSweep();
   /// From what is selected now to what is selected next, until switched off.
   void measure(bool on);
   void showAbout();
@@ -102,6 +109,9 @@ protected:
 
 private:
   void buildDocks();
+  /// Tabs with the dock `beside`.
+  void buildChartDocks(QDockWidget* beside);
+  void buildChartMenu();
   void connectParts();
   void takeGeometry();
   void showError(const QString& message);
@@ -124,6 +134,9 @@ private:
   PlanePanel* planes_;
   HelpPanel* help_;
   QDockWidget* helpDock_;
+  ChartPanel* charts_;
+  SweepPanel* sweep_;
+  QDockWidget *chartDock_, *sweepDock_;
   CutControl* cut_;
   StatusStrip* status_;
   StageStrip* stages_;
