@@ -122,9 +122,11 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   buildDocks();
   actions_ = new Actions(*this, *session_, *cut_);
   buildChartMenu();
+  buildHintMenu();
   connectParts();
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
+  if (keep == Keep::Session && session_->recentFiles().isEmpty()) showHints();
   session_->restore(*this);
 }
 

@@ -94,6 +94,8 @@ public slots:
   void showKeys();
   void showChart(ChartKind kind);
   void showSweep();
+  /// One line in each view, until something is done there.
+  void showHints();
   /// From what is selected now to what is selected next, until switched off.
   void measure(bool on);
   void showAbout();
@@ -112,6 +114,7 @@ private:
   /// Tabs with the dock `beside`.
   void buildChartDocks(QDockWidget* beside);
   void buildChartMenu();
+  void buildHintMenu();
   void connectParts();
   void takeGeometry();
   void showError(const QString& message);

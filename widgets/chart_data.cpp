@@ -126,7 +126,7 @@ void recordsOfCells(ChartData& chart) {
     words.push_back(QString::number(b + 1));
     chart.table.rows.push_back({static_cast<double>(b + 1), static_cast<double>(h.counts[b])});
   }
-  counts(chart, h, words, QObject::tr("%1 records: %2 cells"));
+  counts(chart, h, words, QObject::tr("%1 per cell: %2 cells"));
   chart.model.title = QObject::tr("Cells");
   chart.model.xTitle = QObject::tr("Records in a cell");
   chart.model.empty = QObject::tr("There is no record");
@@ -142,7 +142,7 @@ void pointsOfRecords(ChartData& chart) {
     chart.table.rows.push_back(
         {static_cast<double>(from), static_cast<double>(to), static_cast<double>(h.counts[b])});
   }
-  counts(chart, h, words, QObject::tr("%1 points: %2 records"));
+  counts(chart, h, words, QObject::tr("%1 per record: %2 records"));
   chart.model.title = QObject::tr("Records");
   chart.model.xTitle = QObject::tr("Points in a record");
   chart.model.empty = QObject::tr("There is no record");
