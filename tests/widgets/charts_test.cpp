@@ -24,7 +24,7 @@
 namespace stratascope::test {
 namespace {
 
-class Charts : public WindowTest {
+class Charts : public Window {
 protected:
   ChartPanel& panel() { return window_->charts(); }
   bool open(ChartKind kind) {

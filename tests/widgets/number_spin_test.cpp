@@ -50,7 +50,7 @@ TEST(NumberSpin, WholeNumbersStayWhole) {
   EXPECT_EQ(spin.value(), 100);
 }
 
-class TypedValues : public WindowTest {};
+class TypedValues : public Window {};
 
 TEST_F(TypedValues, AreTakenExactlyAndShownAsTyped) {
   auto* spin = window_->findChild<QDoubleSpinBox*>("spin_epsilon");

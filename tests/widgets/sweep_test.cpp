@@ -22,10 +22,10 @@ namespace {
 
 using Spacing = SweepPlan::Spacing;
 
-class SweepWindow : public WindowTest {
+class SweepWindow : public Window {
 protected:
   void SetUp() override {
-    WindowTest::SetUp();
+    Window::SetUp();
     window_->showSweep();
     QTest::qWait(50);
   }

@@ -8,7 +8,7 @@
 namespace stratascope::test {
 namespace {
 
-class Hints : public WindowTest {};
+class Hints : public Window {};
 
 TEST_F(Hints, StandInEachViewUntilItIsUsed) {
   EXPECT_TRUE(window_->findChildren<ViewHint*>().isEmpty());  // only at a first start

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window_support.h"
 
+#include <QApplication>
+#include <clocale>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "base/units.h"
@@ -11,6 +14,7 @@
 #include "scan/scan_builder.h"
 #include "scan/scanner_geometry.h"
 #include "widgets/param_panel.h"
+#include "widgets/theme.h"
 
 namespace stratascope::test {
 
@@ -53,7 +57,7 @@ int countNear(const QImage& image, Rgb colour, int tolerance) {
   return count;
 }
 
-void WindowTest::SetUp() {
+void Window::SetUp() {
   ASSERT_TRUE(folder_.isValid());
   path_ = roomFile(folder_.path());
   window_ = std::make_unique<MainWindow>(MainWindow::Keep::Nothing);
@@ -63,12 +67,12 @@ void WindowTest::SetUp() {
   ASSERT_TRUE(settle());
 }
 
-bool WindowTest::settle() {
+bool Window::settle() {
   return waitFor([this] { return window_->snapshot() && window_->idle(); }) &&
          (QTest::qWait(300), window_->idle());
 }
 
-SnapshotPtr WindowTest::computed() {
+SnapshotPtr Window::computed() {
   auto scan = readScan(path_.toStdString());
   EXPECT_TRUE(scan.hasValue());
   Pipeline pipeline;
@@ -78,7 +82,7 @@ SnapshotPtr WindowTest::computed() {
   return *result;
 }
 
-void WindowTest::expectSameAsComputed() {
+void Window::expectSameAsComputed() {
   const SnapshotPtr shown = window_->snapshot(), right = computed();
   ASSERT_TRUE(shown && right);
   EXPECT_EQ(shown->params, right->params);
@@ -90,9 +94,26 @@ void WindowTest::expectSameAsComputed() {
   EXPECT_EQ(shown->objectMap->labels, right->objectMap->labels);
 }
 
-QImage WindowTest::pictureOf(VtkView* view) {
+QImage Window::pictureOf(VtkView* view) {
   view->renderNow();
   return view->canvas()->grab().toImage().convertToFormat(QImage::Format_RGB32);
 }
 
 }  // namespace stratascope::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+    std::printf("skipped: no display (run under xvfb-run)\n");
+    return 77;
+  }
+  stratascope::prepareOpenGl();
+  QApplication app(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  if (const QString problem = stratascope::openGlProblem(); !problem.isEmpty()) {
+    std::printf("skipped: %s\n", problem.toUtf8().constData());
+    return 77;
+  }
+  stratascope::applyTheme(stratascope::Theme::Light);
+  return RUN_ALL_TESTS();
+}

@@ -39,7 +39,7 @@ bool waitFor(const Condition& condition) {
 int countNear(const QImage& image, Rgb colour, int tolerance);
 
 /// The window with the room open and computed.
-class WindowTest : public testing::Test {
+class Window : public testing::Test {
 protected:
   void SetUp() override;
   /// Until the window has nothing left to do.
