@@ -39,6 +39,7 @@
 #include "widgets/probe_panel.h"
 #include "widgets/stage_strip.h"
 #include "widgets/status_strip.h"
+#include "widgets/sweep_panel.h"
 #include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
@@ -132,10 +133,13 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   connect(live_, &LiveControl::failed, this, &MainWindow::showError);
   clip_ = new ClipControl(*this);
   compare_->addActions(findChild<QDockWidget*>("compareDock"));
+  buildChartMenu();
+  buildHintMenu();
   connectParts();
   connectTables();
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
+  if (keep == Keep::Session && session_->recentFiles().isEmpty()) showHints();
   session_->restore(*this);
   live_->refresh();
   offerRecovery();
@@ -165,6 +169,7 @@ void MainWindow::buildDocks() {
   log_ = new LogPanel;
   auto* log = dock(tr("Log"), "logDock", log_, Qt::BottomDockWidgetArea);
   log->hide();
+  buildChartDocks(log);
   help_ = new HelpPanel;
   helpDock_ = dock(tr("Help"), "helpDock", help_, Qt::RightDockWidgetArea);
   auto* left = dock(tr("Parameters"), "parametersDock", params_, Qt::LeftDockWidgetArea);
@@ -304,6 +309,7 @@ void MainWindow::setParams(const PipelineParams& params) {
   if (!(params_->params() == params)) params_->setParams(params);
   presets_->setParams(params);
   classOptions_->setParams(params);
+  sweep_->setParams(params);
   bridge_->setParams(params);
 }
 

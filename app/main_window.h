@@ -24,8 +24,10 @@ class QTimer;
 
 namespace stratascope {
 
+enum class ChartKind;
 class Actions;
 class Autosave;
+class ChartPanel;
 class ClassOptions;
 class ClipControl;
 class CompareControl;
@@ -46,6 +48,7 @@ class ScanPanel;
 class Session;
 class StageStrip;
 class StatusStrip;
+class SweepPanel;
 class ViewArea;
 class WelcomePage;
 
@@ -110,6 +113,8 @@ public:
   CompareControl& compare() { return *compare_; }
   ClipControl& clip() { return *clip_; }
   ClassOptions& classOptions() { return *classOptions_; }
+  ChartPanel& charts() { return *charts_; }
+  SweepPanel& sweep() { return *sweep_; }
   QString hint() const;
 
 public slots:
@@ -128,6 +133,10 @@ public slots:
   void copyCommandLine();
   void showHelp();
   void showKeys();
+  void showChart(ChartKind kind);
+  void showSweep();
+  /// One line in each view, until something is done there.
+  void showHints();
   /// From what is selected now to what is selected next, until switched off.
   void measure(bool on);
   void showAbout();
@@ -143,6 +152,10 @@ protected:
 
 private:
   void buildDocks();
+  /// Tabs with the dock `beside`.
+  void buildChartDocks(QDockWidget* beside);
+  void buildChartMenu();
+  void buildHintMenu();
   void connectParts();
   void connectTables();
   void zoomTo(const Eigen::AlignedBox3d& box);
@@ -184,6 +197,9 @@ private:
   ClassOptions* classOptions_;
   HelpPanel* help_;
   QDockWidget* helpDock_;
+  ChartPanel* charts_;
+  SweepPanel* sweep_;
+  QDockWidget *chartDock_, *sweepDock_;
   CutControl* cut_;
   StatusStrip* status_;
   StageStrip* stages_;

@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,15 +16,12 @@
 #include <cstring>
 
 #include "widgets/default_slider.h"
+#include "widgets/number_spin.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
 
 namespace stratascope {
 namespace {
-
-int decimalsOf(double step) {
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(std::max(step, 1e-6)) - 1e-9)), 0, 6);
-}
 
 QString caption(const ParamInfo& info) {
   const QString label = tableText(info.label);
@@ -54,11 +50,8 @@ double SliderScale::value(int position) const {
   const double share = static_cast<double>(position) / steps();
   const double even = minimum + (quadratic() ? share * share : share) * (maximum - minimum);
   const double raw = logarithmic() ? minimum * std::pow(maximum / minimum, share) : even;
-  // Divided, not multiplied: 7 / 100 is the same number as the text "0.07", 7 · 0.01 is not.
-  const double parts = std::round(1 / step);
-  const bool decimal = parts >= 1 && std::abs(1 / step - parts) < 1e-6;
-  const double rounded = decimal ? std::round(raw * parts) / parts : std::round(raw / step) * step;
-  return std::clamp(rounded, minimum, maximum);
+  const double unit = step == std::round(step) && minimum == std::round(minimum) ? step : fineUnit(raw, step);
+  return std::clamp(roundedTo(raw, unit), minimum, maximum);
 }
 
 QString paramValueText(const ParamInfo& info, double value) {
@@ -139,17 +132,13 @@ QWidget* ParamRow::makeNumber() {
   slider->setObjectName(QStringLiteral("slider_") + info_.key);
   slider->setRange(0, scale.steps());
   slider->setPageStep(std::max(1, scale.steps() / 20));
-  auto* spin = new QDoubleSpinBox;
+  auto* spin = new NumberSpin;
   spin->setObjectName(QStringLiteral("spin_") + info_.key);
-  spin->setLocale(QLocale::c());
-  spin->setDecimals(info_.kind == ParamKind::Integer ? 0 : decimalsOf(info_.step) + 1);
+  if (info_.kind == ParamKind::Integer) spin->setWhole();
   spin->setRange(info_.minimum, info_.maximum);
   spin->setSingleStep(info_.step);
-  spin->setKeyboardTracking(false);
   spin->setFixedWidth(96);
-  spin->setAlignment(Qt::AlignRight);
-  if (const QString unit = QString::fromUtf8(info_.unit); !unit.isEmpty())
-    spin->setSuffix(unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
+  spin->setUnit(QString::fromUtf8(info_.unit));
   watch(slider);
   watch(spin);
   auto* both = new QWidget;

@@ -27,5 +27,6 @@ void addBench(CLI::App& app, Action& action);
 void addMerge(CLI::App& app, Action& action);
 void addServe(CLI::App& app, Action& action);
 void addStream(CLI::App& app, Action& action);
+void addSweep(CLI::App& app, Action& action);
 
 }  // namespace stratascope::cli

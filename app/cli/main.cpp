@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   cli::addMerge(app, action);
   cli::addServe(app, action);
   cli::addStream(app, action);
+  cli::addSweep(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -18,9 +18,9 @@ namespace {
 const fs::path kRoot = STRATASCOPE_SOURCE_DIR;
 
 /// Folders of core, each of which may include itself and those before it.
-const std::vector<std::string> kCoreOrder = {"base",    "scan",     "params", "cnn",     "layers",
-                                             "segment", "map",      "geo",    "io",      "sim",
-                                             "interop", "pipeline", "stream", "evaluate"};
+const std::vector<std::string> kCoreOrder = {"base",    "scan",     "params", "cnn",    "layers",
+                                             "segment", "map",      "geo",    "io",     "sim",
+                                             "interop", "pipeline", "study",  "stream", "evaluate"};
 
 /// {folder, header}: what a folder may include although it stands further down. The snapshot is a bundle of
 /// products without code of its own, and what io exports.
