@@ -14,7 +14,7 @@ void MainWindow::showHints() {
   for (ViewHint* hint : findChildren<ViewHint*>()) delete hint;
   new ViewHint(*views_->cloud(), tr("Click a point to see why it was classified so"));
   new ViewHint(*views_->columns(), tr("The highest point of each cell"));
-  new ViewHint(*views_->boxes(), tr("Every height of each cell: click one to see what is free above it"));
+  new ViewHint(*views_->boxes(), tr("All heights: click one for the room above it"));
 }
 
 void MainWindow::buildHintMenu() {

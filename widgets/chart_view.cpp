@@ -355,6 +355,10 @@ void ChartView::renderNow() {
 void ChartView::paintWords(QPainter& painter) const {
   const QColor text = palette().color(QPalette::Text), muted = mutedText(palette());
   const int line = fontMetrics().height();
+  if (canvas_->hasFocus()) {
+    painter.setPen(palette().color(QPalette::Highlight));
+    painter.drawRect(canvas_->rect().adjusted(0, 0, -1, -1));
+  }
   painter.setRenderHint(QPainter::Antialiasing);
   paintCurrent(painter);
   for (size_t i = 0; i < panels_.size(); ++i) {
@@ -536,6 +540,10 @@ bool ChartView::eventFilter(QObject* object, QEvent* event) {
       break;
     case QEvent::Show:
       if (!render_.isActive()) render_.start();
+      break;
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+      overlay_->update();
       break;
     case QEvent::Leave:
       point(-1, -1);

@@ -70,6 +70,7 @@ QString styleSheetFor(const QPalette& p) {
     QLabel#viewSubtitle, QLabel#muted { color: @muted; }
     QLabel#problem { color: #d64545; }
     QLabel#explanation { color: @muted; border-top: 1px solid @line; background: @panel; }
+    QLabel#viewHint { color: @text; background: @panel; border: 1px solid @line; border-radius: 4px; }
     QLabel#groupTitle { font-weight: 600; color: @muted; padding-top: 8px; }
     QSplitter::handle { background: transparent; }
     QFrame#messageBar { background: #b3363b; border: none; }

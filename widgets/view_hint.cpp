@@ -14,11 +14,9 @@ ViewHint::ViewHint(VtkView& view, const QString& text) : QLabel(text, view.canva
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAlignment(Qt::AlignCenter);
   setWordWrap(true);
-  setAutoFillBackground(true);
-  setBackgroundRole(QPalette::ToolTipBase);
-  setForegroundRole(QPalette::ToolTipText);
   setMargin(5);
   connect(&view, &VtkView::clicked, this, &QObject::deleteLater);
+  connect(&view, &VtkView::cameraMoved, this, &QObject::deleteLater);
   parent()->installEventFilter(this);
   place();
   show();

@@ -58,7 +58,10 @@ SweepFigures sweepFigures(const Snapshot& snapshot) {
   f.inPlanes = share(inPlanes);
   f.meanSigma = weight > 0 ? sigmas / weight : kNaN;
   f.records = snapshot.intervalMap->records.size();
-  for (const StageReport& stage : snapshot.stages) f.seconds += stage.seconds;
+  for (const StageReport& stage : snapshot.stages) {
+    f.seconds += stage.seconds;
+    f.stagesRun += !stage.reused;
+  }
   return f;
 }
 

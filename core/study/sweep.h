@@ -28,6 +28,7 @@ struct SweepFigures {
   double inPlanes = 0;    ///< share of measured neurons that lie in a plane
   double meanSigma = 0;   ///< Eq. (10) over all planes, weighted by their points, metres; NaN without planes
   double seconds = 0;     ///< of all stages, each as last run: what it would take from the start
+  int stagesRun = 0;      ///< for this sample; the products of the others were kept
 };
 SweepFigures sweepFigures(const Snapshot& snapshot);
 

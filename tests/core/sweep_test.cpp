@@ -113,6 +113,21 @@ TEST_F(SweepRun, IsWhatEachValueGivesAlone) {
   }
 }
 
+TEST_F(SweepRun, StagesBeforeTheParameterRunOnce) {
+  const struct {
+    SweepPlan plan;
+    int again;
+  } cases[] = {{{"epsilon", 0.05, 0.5, 3, Spacing::Linear}, 2},          // records and objects
+               {{"plane_distance", 0.01, 0.05, 3, Spacing::Linear}, 3},  // planes, edges, objects
+               {{"epsilon1", 0.15, 0.3, 3, Spacing::Linear}, 5}};        // and normals, classes
+  for (const auto& [plan, again] : cases) {
+    const auto samples = runSweep(scans_, {}, plan);
+    ASSERT_TRUE(samples.hasValue());
+    EXPECT_EQ((*samples)[0].figures->stagesRun, kStageCount);
+    for (const size_t i : {1u, 2u}) EXPECT_EQ((*samples)[i].figures->stagesRun, again) << plan.key;
+  }
+}
+
 TEST_F(SweepRun, FiguresAreThoseOfTheSnapshot) {
   const SnapshotPtr s = alone({});
   const SweepFigures f = sweepFigures(*s);
