@@ -193,6 +193,8 @@ private:
   std::vector<ScanPtr> shownScans_;
   double shownCell_ = 0;
   int reading_ = 0;
+  bool deskReads_ = false;
+  int requested_ = 0;  ///< opening something newer makes an older reading pointless
   int stage_ = -1;
   // Last: its jobs end before what they report to goes.
   Background background_;

@@ -161,7 +161,8 @@ void MainWindow::buildScanParts() {
   frameDock_ = dock(tr("Units and axes"), "frameDock", framePanel_, "inspectorDock");
 
   connect(desk_, &ScanDesk::readingChanged, this, [this] {
-    reading_ = desk_->reading() ? 1 : 0;
+    if (std::exchange(deskReads_, desk_->reading()) != desk_->reading())
+      reading_ += desk_->reading() ? 1 : -1;
     showProgress();
   });
   connect(desk_, &ScanDesk::failed, this, [this](const QString& message) {
@@ -251,6 +252,7 @@ void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry
       log_->add(tr("%1: units and axes as set before").arg(QFileInfo(file.path).fileName()));
   }
   opening_.reset();
+  ++requested_;
   desk_->open(std::move(files));
 }
 
@@ -468,6 +470,7 @@ void MainWindow::openSession(const QString& path, bool recovered) {
                      input.sha256});
   }
   opening_ = Opening{path, session->params, windowFromJson(session->window), recovered};
+  ++requested_;
   desk_->open(std::move(files));
 }
 

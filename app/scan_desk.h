@@ -56,6 +56,8 @@ public:
   void open(std::vector<DeskFile> files);
   /// The same files, taken otherwise; as many, in the same order. Does nothing while others are being opened.
   void change(std::vector<DeskFile> files);
+  /// Nothing is open any more, such as when a stream begins; what is being read is left.
+  void clear();
   /// Reads all anew.
   void reload();
 
@@ -103,6 +105,7 @@ private:
   std::vector<ReadFile> read_;
   std::vector<Entry> entries_;
   std::optional<Request> running_, next_;
+  bool discard_ = false;  ///< what is running is no longer wanted
   Background background_;
 };
 
