@@ -382,7 +382,7 @@ void MainWindow::note(const QString& text) {
 }
 
 void MainWindow::showProgress() {
-  if (reading_ > 0 || openingStreams_ > 0)
+  if (reading_ > 0)
     status_->setProgress(true, -1, tr("Reading"));
   else if (bridge_->stream() && !bridge_->streamProgress().finished)
     status_->setProgress(false, -1);  // the transport bar tells

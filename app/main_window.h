@@ -88,7 +88,7 @@ public:
 
   /// Nothing is being read, computed or drawn.
   bool idle() const {
-    return reading_ == 0 && openingStreams_ == 0 && !bridge_->busy() && !comparing();
+    return reading_ == 0 && !bridge_->busy() && !comparing();
   }
   bool comparing() const;
   SnapshotPtr snapshot() const;
@@ -235,8 +235,8 @@ private:
   std::vector<ScanPtr> shownScans_;
   double shownCell_ = 0;
   int reading_ = 0;
-  int openingStreams_ = 0;
-  int requested_ = 0;  ///< opening something else makes opening an older stream pointless
+  bool deskReads_ = false;
+  int requested_ = 0;  ///< opening something newer makes an older reading pointless
   int stage_ = -1;
   int shownStream_ = 0;
   // Last: its jobs end before what they report to goes.

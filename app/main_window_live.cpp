@@ -38,12 +38,12 @@ void MainWindow::chooseStream() {
 
 void MainWindow::openStream(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose) {
   const int number = ++requested_;
-  ++openingStreams_;
+  ++reading_;
   showProgress();
   background_.run(
       this, [request] { return openNow(request); },
       [this, request, pose, number](Opened opened) {
-        --openingStreams_;
+        --reading_;
         if (number == requested_) {
           if (opened.source) {
             returnLargeBlocks();

@@ -162,7 +162,8 @@ void MainWindow::buildScanParts() {
   frameDock_ = dock(tr("Units and axes"), "frameDock", framePanel_, "inspectorDock");
 
   connect(desk_, &ScanDesk::readingChanged, this, [this] {
-    reading_ = desk_->reading() ? 1 : 0;
+    if (std::exchange(deskReads_, desk_->reading()) != desk_->reading())
+      reading_ += desk_->reading() ? 1 : -1;
     showProgress();
   });
   connect(desk_, &ScanDesk::failed, this, [this](const QString& message) {
@@ -480,6 +481,7 @@ void MainWindow::openSession(const QString& path, bool recovered) {
                      input.sha256});
   }
   opening_ = Opening{path, session->params, windowFromJson(session->window), recovered};
+  ++requested_;
   desk_->open(std::move(files));
 }
 

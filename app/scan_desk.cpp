@@ -94,16 +94,16 @@ void ScanDesk::change(std::vector<DeskFile> files) {
   begin({std::move(files), reading ? Change::Frame : Change::Shown, anew});
 }
 
-void ScanDesk::reload() {
-  if (!files_.empty()) begin({files_, Change::Frame, true});
-}
-
 void ScanDesk::clear() {
   next_.reset();
-  dropRunning_ = running_.has_value();
+  discard_ = running_.has_value();
   files_.clear();
   read_.clear();
   entries_.clear();
+}
+
+void ScanDesk::reload() {
+  if (!files_.empty()) begin({files_, Change::Frame, true});
 }
 
 void ScanDesk::begin(Request request) {
@@ -120,14 +120,11 @@ void ScanDesk::begin(Request request) {
 
 void ScanDesk::take(Result result) {
   const Request request = *std::exchange(running_, std::nullopt);
-  const bool dropped = std::exchange(dropRunning_, false);
-  if (next_ && (dropped || next_->change == Change::Opened || !result.error.isEmpty())) {
+  const bool discarded = std::exchange(discard_, false);
+  if (discarded && !next_) return emit readingChanged();
+  if (next_ && (discarded || next_->change == Change::Opened || !result.error.isEmpty())) {
     // What has just been read is no longer asked for.
     begin(*std::exchange(next_, std::nullopt));
-    return;
-  }
-  if (dropped) {
-    emit readingChanged();
     return;
   }
   if (!result.error.isEmpty()) {

@@ -56,10 +56,10 @@ public:
   void open(std::vector<DeskFile> files);
   /// The same files, taken otherwise; as many, in the same order. Does nothing while others are being opened.
   void change(std::vector<DeskFile> files);
+  /// Nothing is open any more, such as when a stream begins; what is being read is left.
+  void clear();
   /// Reads all anew.
   void reload();
-  /// Something else is shown instead: no files, and what is still being read is not asked for any more.
-  void clear();
 
   bool reading() const { return running_.has_value(); }
   const std::vector<DeskFile>& files() const { return files_; }
@@ -105,7 +105,7 @@ private:
   std::vector<ReadFile> read_;
   std::vector<Entry> entries_;
   std::optional<Request> running_, next_;
-  bool dropRunning_ = false;
+  bool discard_ = false;  ///< what is running is no longer wanted
   Background background_;
 };
 

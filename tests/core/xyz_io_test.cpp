@@ -139,7 +139,7 @@ TEST(ScanIo, WritesOnlyKnownFormatsAndKeepsTheOldFileOtherwise) {
   const TemporaryFolder folder;
   const auto scan = readBytes("1 2 3\n4 5 6\n");
   ASSERT_TRUE(scan);
-  for (const char* name : {"out.ply", "out", "out.3d"}) {
+  for (const char* name : {"out.ptx", "out", "out.3d"}) {
     EXPECT_FALSE(writeScan(*scan, folder / name));
     EXPECT_FALSE(std::filesystem::exists(folder / name));
   }

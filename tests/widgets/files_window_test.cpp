@@ -270,6 +270,26 @@ TEST_F(Files, ASessionShowsTheSamePictureAgain) {
   EXPECT_EQ(read->params, params);
 }
 
+TEST_F(Files, ClearingTheDeskDropsWhatIsBeingRead) {
+  ScanDesk desk;
+  int changes = 0;
+  QObject::connect(&desk, &ScanDesk::scansChanged, [&] { ++changes; });
+  const QString a = cornerFile(file("a.pcd")), b = cornerFile(file("b.pcd"), 1, 5);
+  DeskFile first, second;
+  first.path = a, second.path = b;
+  desk.open({first});
+  desk.clear();
+  ASSERT_TRUE(waitFor([&] { return !desk.reading(); }));
+  EXPECT_EQ(changes, 0);
+  desk.open({first});
+  desk.clear();
+  desk.open({second});
+  ASSERT_TRUE(waitFor([&] { return !desk.reading(); }));
+  EXPECT_EQ(changes, 1);
+  ASSERT_EQ(desk.entries().size(), 1u);
+  EXPECT_EQ(desk.entries()[0].data->name, "b.pcd");
+}
+
 TEST_F(Files, AChangedInputIsSaid) {
   const QString a = cornerFile(file("a.pcd"));
   window_->openFiles({a});
