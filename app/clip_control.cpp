@@ -89,7 +89,7 @@ bool ClipControl::on() const {
 }
 
 void ClipControl::setGeometry(const ViewGeometryPtr& geometry) {
-  const bool others = geometry_ && !sameScans(*geometry_->snapshot, *geometry->snapshot);
+  const bool others = geometry_ && !sameScanNames(*geometry_->snapshot, *geometry->snapshot);
   geometry_ = geometry;
   toggle_->setEnabled(true);
   reset_->setEnabled(true);

@@ -119,7 +119,9 @@ void ClassMatrix::paintEvent(QPaintEvent*) {
       const QRectF box = cell(i, j);
       const size_t count = row[shown_[j]];
       if (i == j) {
-        painter.fillRect(box.adjusted(1, 1, 0, 0), palette().color(QPalette::AlternateBase).darker(106));
+        QColor shade = text;
+        shade.setAlphaF(0.10);
+        painter.fillRect(box.adjusted(1, 1, 0, 0), shade);
       } else if (count > 0) {
         QColor shade(213, 80, 0);
         shade.setAlphaF(0.12 + 0.5 * static_cast<double>(count) / all);

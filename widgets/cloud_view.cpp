@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -264,8 +265,43 @@ std::optional<PointRef> CloudView::pointAt(QPoint position) const {
   return geometry_->cloud->source[i];
 }
 
+std::optional<EdgeRef> CloudView::edgeAt(QPoint position) const {
+  if (!geometry_ || shownEdges_ == Edges::None || follows_ || position.x() < 0) return std::nullopt;
+  const Projection p = projection();
+  const Eigen::Vector2d at = displayPosition(position);
+  const auto onScreen = [&](const Eigen::Vector3d& point) -> std::optional<Eigen::Vector2d> {
+    const Eigen::Vector4d q = p.ndc_T_map * point.homogeneous();
+    if (!(q.w() > 0)) return std::nullopt;
+    return Eigen::Vector2d((q.x() / q.w() + 1) / 2 * p.width, (q.y() / q.w() + 1) / 2 * p.height);
+  };
+  double best = kPickRadius * devicePixelRatioF();
+  std::optional<EdgeRef> found;
+  const auto& scans = geometry_->snapshot->scans;
+  for (size_t s = 0; s < scans.size(); ++s) {
+    if (!scans[s].edges) continue;
+    const auto& edges = scans[s].edges->edges;
+    for (size_t e = 0; e < edges.size(); ++e) {
+      const Eigen::Vector3d middle = (edges[e].from + edges[e].to) / 2;
+      if (shownEdges_ == Edges::Vertical && !edges[e].vertical) continue;
+      if (std::min(edges[e].from.z(), edges[e].to.z()) > geometry_->cut) continue;
+      if (geometry_->options.clip && !geometry_->options.clip->contains(middle)) continue;
+      const auto a = onScreen(edges[e].from), b = onScreen(edges[e].to);
+      if (!a || !b) continue;
+      const Eigen::Vector2d along = *b - *a;
+      const double t = std::clamp((at - *a).dot(along) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
+      const double away = (at - *a - t * along).norm();
+      if (away >= best) continue;
+      best = away;
+      found = EdgeRef{static_cast<int>(s), static_cast<std::uint32_t>(e)};
+    }
+  }
+  return found;
+}
+
 void CloudView::pick(QPoint position) {
-  if (const auto point = pointAt(position))
+  if (const auto edge = edgeAt(position))
+    selection_.set(*edge);
+  else if (const auto point = pointAt(position))
     selection_.set(*point);
   else
     selection_.clear();

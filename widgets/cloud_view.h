@@ -55,6 +55,8 @@ protected:
 
 private:
   std::optional<PointRef> pointAt(QPoint position) const;
+  /// Of the edges that are drawn, the one next to the pointer.
+  std::optional<EdgeRef> edgeAt(QPoint position) const;
   void pick(QPoint position);
   void hover(QPoint position);
   void highlight();

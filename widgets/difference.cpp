@@ -8,7 +8,8 @@
 namespace stratascope {
 namespace {
 
-constexpr Rgb kUnchanged{176, 181, 188};
+// Between both canvases, so that neither a light nor a dark one makes it stand out.
+constexpr Rgb kUnchanged{146, 151, 159};
 
 std::shared_ptr<const ColourKey> pointKey(const SnapshotComparison& c) {
   auto key = std::make_shared<ColourKey>();

@@ -105,7 +105,7 @@ void PlanePanel::setColumns() {
 }
 
 void PlanePanel::setGeometry(const ViewGeometryPtr& geometry) {
-  const bool others = geometry_ && !sameScans(*geometry_->snapshot, *geometry->snapshot);
+  const bool others = geometry_ && !sameScanNames(*geometry_->snapshot, *geometry->snapshot);
   if (geometry_ && !others && samePlanes(*geometry_, *geometry)) {
     geometry_ = geometry;
     return;

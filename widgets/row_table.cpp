@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
@@ -21,6 +22,20 @@
 #include "widgets/theme.h"
 
 namespace stratascope {
+namespace {
+
+/// One pixmap a colour: Qt keeps what it makes of each new one, and rows are painted again and again.
+QPixmap swatchOf(const QColor& colour) {
+  static QHash<QRgb, QPixmap> made;
+  QPixmap& pixmap = made[colour.rgb()];
+  if (pixmap.isNull()) {
+    pixmap = QPixmap(10, 10);
+    pixmap.fill(colour);
+  }
+  return pixmap;
+}
+
+}  // namespace
 
 void RowModel::setColumns(std::vector<RowColumn> columns) {
   beginResetModel();
@@ -71,9 +86,7 @@ QVariant RowModel::data(const QModelIndex& index, int role) const {
       return column.checked ? QVariant(column.checked(row) ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DecorationRole: {
       if (!column.swatch) return {};
-      QPixmap swatch(10, 10);
-      swatch.fill(column.swatch(row).value<QColor>());
-      return swatch;
+      return swatchOf(column.swatch(row).value<QColor>());
     }
     case kSortRole:
       if (column.sortKey) return column.sortKey(row);

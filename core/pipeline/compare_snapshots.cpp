@@ -181,6 +181,12 @@ bool sameScans(const Snapshot& a, const Snapshot& b) {
   return std::ranges::equal(a.scans, b.scans, {}, &ScanProducts::scan, &ScanProducts::scan);
 }
 
+bool sameScanNames(const Snapshot& a, const Snapshot& b) {
+  return std::ranges::equal(a.scans, b.scans, [](const ScanProducts& x, const ScanProducts& y) {
+    return x.scan == y.scan || (x.scan && y.scan && x.scan->name == y.scan->name);
+  });
+}
+
 SnapshotComparison compareSnapshots(const Snapshot& a, const Snapshot& b) {
   require(sameScans(a, b), "compareSnapshots: results of different scans");
   SnapshotComparison out;

@@ -76,6 +76,9 @@ struct SnapshotComparison {
 /// Whether both are results of the very same scans.
 bool sameScans(const Snapshot& a, const Snapshot& b);
 
+/// Whether both are of scans of the same names in the same order: the same files, or a stream that went on.
+bool sameScanNames(const Snapshot& a, const Snapshot& b);
+
 /// A pure function; linear in points and cells. Throws std::logic_error unless sameScans().
 SnapshotComparison compareSnapshots(const Snapshot& a, const Snapshot& b);
 

@@ -16,6 +16,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -390,6 +391,33 @@ TEST_F(CompareWindow, SelectedEdgeSelectsItsPlanesAndThePlaneItsEdges) {
   for (const EdgePlanes& p : (*geometry().edgePlanes)[0]) ofPlane += p.has(joined.a);
   EXPECT_EQ(panel.table()->selectionModel()->selectedRows().size(), ofPlane);
   EXPECT_TRUE(std::holds_alternative<PlaneLabel>(window_->selection().get()));  // marking selects nothing
+
+  // Drawn edges can be clicked.
+  window_->selection().clear();
+  cloud()->setEdges(CloudView::Edges::ByKind);
+  cloud()->renderNow();
+  int clicked = 0;
+  for (const Edge& edge : edges) {
+    const Eigen::Vector3d middle = (edge.from + edge.to) / 2;
+    const QPoint at = cloud()->canvasPosition(middle).toPoint();
+    if (std::max(edge.from.z(), edge.to.z()) > geometry().cut ||
+        !cloud()->canvas()->rect().adjusted(9, 9, -9, -9).contains(at))
+      continue;
+    QTest::mouseClick(cloud()->canvas(), Qt::LeftButton, {}, at);
+    const auto* found = std::get_if<EdgeRef>(&window_->selection().get());
+    ASSERT_TRUE(found);
+    // This one, or another one that runs through the same pixel.
+    const Edge& other = edges[found->index];
+    double nearest = 1e9;
+    for (int i = 0; i <= 400; ++i) {
+      const QPointF p = cloud()->canvasPosition(other.from + i / 400.0 * (other.to - other.from)) - at;
+      nearest = std::min(nearest, std::hypot(p.x(), p.y()));
+    }
+    EXPECT_LT(nearest, 6);
+    if (++clicked == 10) break;
+  }
+  EXPECT_EQ(clicked, 10);
+  cloud()->setEdges(CloudView::Edges::None);
 
   emit panel.zoomRequested(EdgeRef{0, 0});
   EXPECT_TRUE(std::holds_alternative<EdgeRef>(window_->selection().get()));
