@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMap>
@@ -37,6 +38,17 @@ QString quoted(QString text) {
   return text.contains(',') || text.contains('"') ? '"' + text.replace("\"", "\"\"") + '"' : text;
 }
 }  // namespace
+
+/// One pixmap a colour: Qt keeps what it makes of each new one, tens of thousands while a scan streams in.
+QPixmap swatch(const QColor& colour) {
+  static QHash<QRgb, QPixmap> made;
+  QPixmap& pixmap = made[colour.rgb()];
+  if (pixmap.isNull()) {
+    pixmap = QPixmap(10, 10);
+    pixmap.fill(colour);
+  }
+  return pixmap;
+}
 
 /// Planes of all scans by their numbers.
 class PlaneModel : public QAbstractTableModel {
@@ -111,9 +123,7 @@ public:
       case Qt::DecorationRole: {
         if (index.column() != kNumber && index.column() != kClass) return {};
         const Rgb c = index.column() == kClass ? classColour(p.surfaceClass) : planeColour(number(p));
-        QPixmap swatch(10, 10);
-        swatch.fill(QColor(c.r, c.g, c.b));
-        return swatch;
+        return swatch(QColor(c.r, c.g, c.b));
       }
       case Qt::ToolTipRole:
         return QObject::tr("Label %1, normal %2 %3 %4, offset %5")
