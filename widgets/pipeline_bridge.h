@@ -30,7 +30,8 @@ struct GeometryTimes {
 
 /// Brings the worker's results into the window's thread. A snapshot goes straight from the worker to a
 /// builder thread that turns it into geometry (newest wins there, too); the window's thread only hears of
-/// what is ready to be drawn, and never waits. All calls and signals belong to the window's thread.
+/// what is ready to be drawn, and never waits. A stream has a pipeline of its own, whose
+/// results take the same way. All calls and signals belong to the window's thread.
 class PipelineBridge : public QObject {
   Q_OBJECT
 public:
@@ -67,7 +68,7 @@ signals:
   /// stage: −1 if none is running (waiting, or building pictures).
   void progressChanged(bool busy, int stage);
   void failed(const QString& message);
-  /// A stream began, went on, or made way for files; often. Never without a cause of its own.
+  /// A stream began, went on, or made way for files; many times a second.
   void streamChanged();
 
 private:

@@ -215,7 +215,26 @@ TEST_F(LiveWindow, ProvisionalLinesAreDimmedAndStopKeepsWhatArrived) {
     return dim;
   };
   EXPECT_LE(window_->bridge().geometry()->finalLines, 60);
+  // One more line leaves most of the others as they were.
+  EXPECT_GT(window_->bridge().geometry()->finalLines, 40);
   EXPECT_GT(countDimmed(), 0);
+  // Cells of the maps, too: those without a point of a final line.
+  const ViewGeometry& g = *window_->bridge().geometry();
+  const auto plain = buildViewGeometry(g.snapshot, g.options);
+  const auto dimmedCorners = [](const MapMesh& live, const MapMesh& full) {
+    EXPECT_EQ(live.xyz, full.xyz);
+    size_t count = 0;
+    for (size_t i = 0; i + 2 < live.rgb.size(); i += 3)
+      count += !std::equal(live.rgb.begin() + static_cast<std::ptrdiff_t>(i),
+                           live.rgb.begin() + static_cast<std::ptrdiff_t>(i) + 3,
+                           full.rgb.begin() + static_cast<std::ptrdiff_t>(i));
+    return count;
+  };
+  for (const auto& [live, full] : {std::pair{g.columns, plain->columns}, {g.boxes, plain->boxes}}) {
+    const size_t count = dimmedCorners(*live, *full);
+    EXPECT_GT(count, 0u);
+    EXPECT_LT(count, live->rgb.size() / 6);
+  }
 
   find<QToolButton>("streamStop")->click();
   ASSERT_TRUE(finished());
