@@ -351,32 +351,12 @@
             <translation>wył.</translation>
         </message>
         <message>
-            <source>#</source>
-            <translation>#</translation>
-        </message>
-        <message>
             <source>Class</source>
             <translation>Klasa</translation>
         </message>
         <message>
-            <source>Name</source>
-            <translation>Nazwa</translation>
-        </message>
-        <message>
             <source>Points</source>
             <translation>Punkty</translation>
-        </message>
-        <message>
-            <source>m²</source>
-            <translation>m²</translation>
-        </message>
-        <message>
-            <source>σ mm</source>
-            <translation>σ mm</translation>
-        </message>
-        <message>
-            <source>Label %1, normal %2 %3 %4, offset %5</source>
-            <translation>Etykieta %1, normalna %2 %3 %4, przesunięcie %5</translation>
         </message>
         <message>
             <source>Neither a surface nor an edge could be told.</source>
@@ -651,10 +631,6 @@
             <translation>Skany (%1);;Wszystkie pliki (*)</translation>
         </message>
         <message>
-            <source>%1: could not be read: %2</source>
-            <translation>%1: nie można wczytać: %2</translation>
-        </message>
-        <message>
             <source>distance %1</source>
             <translation>odległość %1</translation>
         </message>
@@ -669,6 +645,314 @@
         <message>
             <source>angle %1</source>
             <translation>kąt %1</translation>
+        </message>
+        <message>
+            <source>%1 to %2 m: %3 points</source>
+            <translation>%1 do %2 m: %3 punktów</translation>
+        </message>
+        <message>
+            <source>gap of ε = %1 m or more</source>
+            <translation>przerwa ε = %1 m lub większa</translation>
+        </message>
+        <message>
+            <source>Points of cell k %1, l %2</source>
+            <translation>Punkty komórki k %1, l %2</translation>
+        </message>
+        <message>
+            <source>Points of all cells</source>
+            <translation>Punkty wszystkich komórek</translation>
+        </message>
+        <message>
+            <source>, per %1 m</source>
+            <translation>, na %1 m</translation>
+        </message>
+        <message>
+            <source>There is no point in this cell</source>
+            <translation>W tej komórce nie ma punktów</translation>
+        </message>
+        <message>
+            <source>There is no point</source>
+            <translation>Nie ma punktów</translation>
+        </message>
+        <message>
+            <source>%1 to %2°: %3 pairs</source>
+            <translation>%1 do %2°: %3 par</translation>
+        </message>
+        <message>
+            <source>Pairs of neighbours, per degree</source>
+            <translation>Pary sąsiadów na stopień</translation>
+        </message>
+        <message>
+            <source>Angle between their normals in °</source>
+            <translation>Kąt między ich normalnymi w °</translation>
+        </message>
+        <message>
+            <source>There is no pair of normals</source>
+            <translation>Nie ma pary normalnych</translation>
+        </message>
+        <message>
+            <source>plane %1: σ %2 mm, %3 points</source>
+            <translation>płaszczyzna %1: σ %2 mm, %3 punktów</translation>
+        </message>
+        <message>
+            <source>σ in mm</source>
+            <translation>σ w mm</translation>
+        </message>
+        <message>
+            <source>Number of the plane</source>
+            <translation>Numer płaszczyzny</translation>
+        </message>
+        <message>
+            <source>No plane was found</source>
+            <translation>Nie znaleziono płaszczyzny</translation>
+        </message>
+        <message>
+            <source>%1 per cell: %2 cells</source>
+            <translation>%1 w komórce: %2 komórek</translation>
+        </message>
+        <message>
+            <source>There is no record</source>
+            <translation>Nie ma rekordów</translation>
+        </message>
+        <message>
+            <source>%1 per record: %2 records</source>
+            <translation>%1 w rekordzie: %2 rekordów</translation>
+        </message>
+        <message>
+            <source>Points in a record</source>
+            <translation>Punkty w rekordzie</translation>
+        </message>
+        <message>
+            <source>Heights</source>
+            <translation>Wysokości</translation>
+        </message>
+        <message>
+            <source>Angles between normals</source>
+            <translation>Kąty między normalnymi</translation>
+        </message>
+        <message>
+            <source>σ by plane</source>
+            <translation>σ płaszczyzn</translation>
+        </message>
+        <message>
+            <source>Records per cell</source>
+            <translation>Rekordy w komórce</translation>
+        </message>
+        <message>
+            <source>Points per record</source>
+            <translation>Punkty w rekordzie</translation>
+        </message>
+        <message>
+            <source>%1: cannot be written; choose another folder</source>
+            <translation>%1: nie można zapisać; wybierz inny folder</translation>
+        </message>
+        <message>
+            <source>%1 (%2 points)</source>
+            <translation>%1 (%2 punktów)</translation>
+        </message>
+        <message>
+            <source> and %1 more</source>
+            <translation> i %1 więcej</translation>
+        </message>
+        <message>
+            <source>%1 planes kept, %2 lost, %3 gained.</source>
+            <translation>Zachowane płaszczyzny: %1, utracone: %2, nowe: %3.</translation>
+        </message>
+        <message>
+            <source>Lost: %1</source>
+            <translation>Utracone: %1</translation>
+        </message>
+        <message>
+            <source>Gained: %1</source>
+            <translation>Nowe: %1</translation>
+        </message>
+        <message>
+            <source>A and B have the same parameters. Change one: B follows, A stays.</source>
+            <translation>A i B mają te same parametry. Zmień jeden: B podąży za nim, A zostanie.</translation>
+        </message>
+        <message>
+            <source>Parameters that differ</source>
+            <translation>Różniące się parametry</translation>
+        </message>
+        <message>
+            <source>B − A</source>
+            <translation>B − A</translation>
+        </message>
+        <message>
+            <source>Numbers</source>
+            <translation>Liczby</translation>
+        </message>
+        <message>
+            <source>Edges</source>
+            <translation>Krawędzie</translation>
+        </message>
+        <message>
+            <source>Classified</source>
+            <translation>Sklasyfikowane</translation>
+        </message>
+        <message>
+            <source>On planes</source>
+            <translation>Na płaszczyznach</translation>
+        </message>
+        <message>
+            <source>Occupied cells</source>
+            <translation>Zajęte komórki</translation>
+        </message>
+        <message>
+            <source>Mean σ of planes</source>
+            <translation>Średnie σ płaszczyzn</translation>
+        </message>
+        <message>
+            <source>What became of the points</source>
+            <translation>Co stało się z punktami</translation>
+        </message>
+        <message>
+            <source>of another class, in all</source>
+            <translation>innej klasy, razem</translation>
+        </message>
+        <message>
+            <source>What became of the cells</source>
+            <translation>Co stało się z komórkami</translation>
+        </message>
+        <message>
+            <source>The cells of A are %1 wide, those of B %2: maps are compared by their numbers only.</source>
+            <translation>Komórki A mają bok %1, komórki B %2: mapy porównano tylko liczbami.</translation>
+        </message>
+        <message>
+            <source>Last time of each stage</source>
+            <translation>Ostatni czas każdego etapu</translation>
+        </message>
+        <message>
+            <source>Points, A → B</source>
+            <translation>Punkty, A → B</translation>
+        </message>
+        <message>
+            <source>Cells, A → B</source>
+            <translation>Komórki, A → B</translation>
+        </message>
+        <message>
+            <source>unchanged</source>
+            <translation>bez zmian</translation>
+        </message>
+        <message>
+            <source>new in B</source>
+            <translation>nowe w B</translation>
+        </message>
+        <message>
+            <source>only in A, not drawn</source>
+            <translation>tylko w A, nierysowane</translation>
+        </message>
+        <message>
+            <source>gained a plane</source>
+            <translation>zyskały płaszczyznę</translation>
+        </message>
+        <message>
+            <source>lost its plane</source>
+            <translation>straciły płaszczyznę</translation>
+        </message>
+        <message>
+            <source>another plane</source>
+            <translation>inna płaszczyzna</translation>
+        </message>
+        <message>
+            <source>another class only</source>
+            <translation>tylko inna klasa</translation>
+        </message>
+        <message>
+            <source>empty</source>
+            <translation>puste</translation>
+        </message>
+        <message>
+            <source>other heights</source>
+            <translation>inne wysokości</translation>
+        </message>
+        <message>
+            <source>more records</source>
+            <translation>więcej rekordów</translation>
+        </message>
+        <message>
+            <source>fewer records</source>
+            <translation>mniej rekordów</translation>
+        </message>
+        <message>
+            <source>only in A</source>
+            <translation>tylko w A</translation>
+        </message>
+        <message>
+            <source>Convex</source>
+            <translation>Wypukła</translation>
+        </message>
+        <message>
+            <source>Concave</source>
+            <translation>Wklęsła</translation>
+        </message>
+        <message>
+            <source>Jump</source>
+            <translation>Skokowa</translation>
+        </message>
+        <message>
+            <source>%1 edge</source>
+            <translation>Krawędź: %1</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Rodzaj</translation>
+        </message>
+        <message>
+            <source>Vertical</source>
+            <translation>Pion</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>tak</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>nie</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Długość</translation>
+        </message>
+        <message>
+            <source>Ends</source>
+            <translation>Kończy</translation>
+        </message>
+        <message>
+            <source>Joins</source>
+            <translation>Łączy</translation>
+        </message>
+        <message>
+            <source>Between normals</source>
+            <translation>Między normalnymi</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>Od</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>Do</translation>
+        </message>
+        <message>
+            <source>Classified in %</source>
+            <translation>Sklasyfikowane w %</translation>
+        </message>
+        <message>
+            <source>In planes in %</source>
+            <translation>W płaszczyznach w %</translation>
+        </message>
+        <message>
+            <source>Mean σ in mm</source>
+            <translation>Średnia σ w mm</translation>
+        </message>
+        <message>
+            <source>Time in ms</source>
+            <translation>Czas w ms</translation>
+        </message>
+        <message>
+            <source> in %1</source>
+            <translation> w %1</translation>
         </message>
     </context>
     <context>
@@ -913,6 +1197,46 @@
             <source>&amp;Measure from the selection</source>
             <translation>&amp;Mierz od zaznaczenia</translation>
         </message>
+        <message>
+            <source>Open s&amp;tream…</source>
+            <translation>Otwórz s&amp;trumień…</translation>
+        </message>
+        <message>
+            <source>A scan that comes in line by line: from a scanner, or played</source>
+            <translation>Skan, który nadchodzi linia po linii: ze skanera albo odtwarzany</translation>
+        </message>
+        <message>
+            <source>Units and a&amp;xes…</source>
+            <translation>Jednostki i &amp;osie…</translation>
+        </message>
+        <message>
+            <source>How the files' coordinates are read</source>
+            <translation>Jak odczytywane są współrzędne plików</translation>
+        </message>
+        <message>
+            <source>Open s&amp;ession…</source>
+            <translation>Otwórz s&amp;esję…</translation>
+        </message>
+        <message>
+            <source>Scans, parameters and view as they were saved</source>
+            <translation>Skany, parametry i widok, jak je zapisano</translation>
+        </message>
+        <message>
+            <source>Save sess&amp;ion…</source>
+            <translation>Zapisz ses&amp;ję…</translation>
+        </message>
+        <message>
+            <source>Save scans, parameters and view, to go on later</source>
+            <translation>Zapisz skany, parametry i widok, aby wrócić do nich później</translation>
+        </message>
+        <message>
+            <source>Save picture with si&amp;ze…</source>
+            <translation>Zapisz obraz o &amp;rozmiarze…</translation>
+        </message>
+        <message>
+            <source>The views with as many pixels as you say</source>
+            <translation>Widoki o podanej liczbie pikseli</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::Batch</name>
@@ -923,6 +1247,137 @@
         <message>
             <source>%1: cannot be written; choose another folder</source>
             <translation>%1: nie można zapisać; wybierz inny folder</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ChartPanel</name>
+        <message>
+            <source>Chart</source>
+            <translation>Wykres</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>Logarytmicznie</translation>
+        </message>
+        <message>
+            <source>Counts by their logarithm, so that small ones are seen beside large ones</source>
+            <translation>Liczności w skali logarytmicznej, aby małe było widać obok dużych</translation>
+        </message>
+        <message>
+            <source>Write the chart to a file</source>
+            <translation>Zapisz wykres do pliku</translation>
+        </message>
+        <message>
+            <source>Write as CSV…</source>
+            <translation>Zapisz jako CSV…</translation>
+        </message>
+        <message>
+            <source>Save picture…</source>
+            <translation>Zapisz obraz…</translation>
+        </message>
+        <message>
+            <source>PNG (*.png)</source>
+            <translation>PNG (*.png)</translation>
+        </message>
+        <message>
+            <source>CSV (*.csv)</source>
+            <translation>CSV (*.csv)</translation>
+        </message>
+        <message>
+            <source>Wrote %1</source>
+            <translation>Zapisano %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ClassMatrix</name>
+        <message>
+            <source>Points by class: rows A, columns B</source>
+            <translation>Punkty według klas: wiersze A, kolumny B</translation>
+        </message>
+        <message>
+            <source>%1 in A, %2 in B: %3 points</source>
+            <translation>%1 w A, %2 w B: %3 punktów</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ClassOptions</name>
+        <message>
+            <source>Clean classes</source>
+            <translation>Oczyszczanie klas</translation>
+        </message>
+        <message>
+            <source>Stray surface classes follow their neighbours, by the majority template</source>
+            <translation>Odosobnione klasy powierzchni podążają za sąsiadami, według szablonu większości</translation>
+        </message>
+        <message>
+            <source>Axes of the building</source>
+            <translation>Osie budynku</translation>
+        </message>
+        <message>
+            <source>Facing and side are told by the main direction of the walls, not by where the sensor looks</source>
+            <translation>Przód i bok określa główny kierunek ścian, a nie kierunek patrzenia czujnika</translation>
+        </message>
+        <message>
+            <source>Do not clean classes</source>
+            <translation>Bez oczyszczania klas</translation>
+        </message>
+        <message>
+            <source>Axes of the sensor</source>
+            <translation>Osie czujnika</translation>
+        </message>
+        <message>
+            <source>points changed: %1</source>
+            <translation>zmienione punkty: %1</translation>
+        </message>
+        <message>
+            <source>would change: %1</source>
+            <translation>zmieniłoby: %1</translation>
+        </message>
+        <message>
+            <source>turned %1</source>
+            <translation>obrót %1</translation>
+        </message>
+        <message>
+            <source>How far the walls are turned against where the sensor looks</source>
+            <translation>O ile ściany są obrócone względem kierunku patrzenia czujnika</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ClipControl</name>
+        <message>
+            <source>C&amp;lip</source>
+            <translation>&amp;Wycinek</translation>
+        </message>
+        <message>
+            <source>Clip &amp;box</source>
+            <translation>&amp;Pudło</translation>
+        </message>
+        <message>
+            <source>Show only what lies in a box; its handles are in the cloud (B)</source>
+            <translation>Pokaż tylko to, co leży w pudle; uchwyty są w chmurze (B)</translation>
+        </message>
+        <message>
+            <source>&amp;Around the selection</source>
+            <translation>Wokół &amp;zaznaczenia</translation>
+        </message>
+        <message>
+            <source>Around &amp;everything</source>
+            <translation>Wokół &amp;wszystkiego</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::CloudPair</name>
+        <message>
+            <source>Point cloud</source>
+            <translation>Chmura punktów</translation>
+        </message>
+        <message>
+            <source>B · now</source>
+            <translation>B · teraz</translation>
+        </message>
+        <message>
+            <source>A · kept</source>
+            <translation>A · zachowane</translation>
         </message>
     </context>
     <context>
@@ -991,6 +1446,14 @@
             <source>plane %1</source>
             <translation>płaszczyzna %1</translation>
         </message>
+        <message>
+            <source>inside the clip box</source>
+            <translation>wewnątrz pudła</translation>
+        </message>
+        <message>
+            <source>%1 planes hidden</source>
+            <translation>ukryte płaszczyzny: %1</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::ColumnView</name>
@@ -1005,6 +1468,107 @@
         <message>
             <source>extended</source>
             <translation>rozszerzona</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::CompareControl</name>
+        <message>
+            <source>&amp;Compare</source>
+            <translation>P&amp;orównanie</translation>
+        </message>
+        <message>
+            <source>&amp;Keep as A</source>
+            <translation>&amp;Zachowaj jako A</translation>
+        </message>
+        <message>
+            <source>Keep the present result as A and go on tuning as B (%1)</source>
+            <translation>Zachowaj obecny wynik jako A i strój dalej jako B (%1)</translation>
+        </message>
+        <message>
+            <source>&amp;Back to A</source>
+            <translation>&amp;Wróć do A</translation>
+        </message>
+        <message>
+            <source>&amp;Swap A and B</source>
+            <translation>Za&amp;mień A i B</translation>
+        </message>
+        <message>
+            <source>&amp;Drop A</source>
+            <translation>&amp;Odrzuć A</translation>
+        </message>
+        <message>
+            <source>A was a result of other scans and is dropped</source>
+            <translation>A było wynikiem innych skanów i zostało odrzucone</translation>
+        </message>
+        <message>
+            <source>Kept as A. What you change from now on is B.</source>
+            <translation>Zachowano jako A. Od teraz zmieniasz B.</translation>
+        </message>
+        <message>
+            <source>Back to A</source>
+            <translation>Powrót do A</translation>
+        </message>
+        <message>
+            <source>Swap A and B</source>
+            <translation>Zamiana A i B</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ComparePanel</name>
+        <message>
+            <source>What the views show of A and B</source>
+            <translation>Co widoki pokazują z A i B</translation>
+        </message>
+        <message>
+            <source>Keep the present result as A</source>
+            <translation>Zachowaj obecny wynik jako A</translation>
+        </message>
+        <message>
+            <source>Back to the parameters of A</source>
+            <translation>Wróć do parametrów A</translation>
+        </message>
+        <message>
+            <source>A becomes B and B becomes A</source>
+            <translation>A staje się B, a B staje się A</translation>
+        </message>
+        <message>
+            <source>Copy as text</source>
+            <translation>Kopiuj jako tekst</translation>
+        </message>
+        <message>
+            <source>Copied the comparison</source>
+            <translation>Skopiowano porównanie</translation>
+        </message>
+        <message>
+            <source>Drop A</source>
+            <translation>Odrzuć A</translation>
+        </message>
+        <message>
+            <source>Keep the present result as A and go on tuning: this page tells what changed.</source>
+            <translation>Zachowaj obecny wynik jako A i strój dalej: ta strona powie, co się zmieniło.</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::Comparer</name>
+        <message>
+            <source>A and B could not be compared: %1</source>
+            <translation>Nie udało się porównać A i B: %1</translation>
+        </message>
+        <message>
+            <source>B only</source>
+            <translation>Tylko B</translation>
+        </message>
+        <message>
+            <source>A beside B</source>
+            <translation>A obok B</translation>
+        </message>
+        <message>
+            <source>Wipe</source>
+            <translation>Kurtyna</translation>
+        </message>
+        <message>
+            <source>Differences</source>
+            <translation>Różnice</translation>
         </message>
     </context>
     <context>
@@ -1028,6 +1592,282 @@
         <message>
             <source>Cut just below the ceiling, if there is one</source>
             <translation>Utnij tuż pod sufitem, jeśli jest</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::EdgePanel</name>
+        <message>
+            <source>Filter by kind, vertical or plane</source>
+            <translation>Filtruj: rodzaj, pionowa, płaszczyzna</translation>
+        </message>
+        <message>
+            <source>#</source>
+            <translation>#</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Rodzaj</translation>
+        </message>
+        <message>
+            <source>Joins</source>
+            <translation>Łączy</translation>
+        </message>
+        <message>
+            <source>Numbers of the planes that meet in it, or end at it</source>
+            <translation>Numery płaszczyzn, które się w niej stykają lub na niej kończą</translation>
+        </message>
+        <message>
+            <source>m</source>
+            <translation>m</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Długość</translation>
+        </message>
+        <message>
+            <source>Vert.</source>
+            <translation>Pion</translation>
+        </message>
+        <message>
+            <source>Within 15° of the vertical</source>
+            <translation>Do 15° od pionu</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkty</translation>
+        </message>
+        <message>
+            <source>σ mm</source>
+            <translation>σ mm</translation>
+        </message>
+        <message>
+            <source>Mean distance of its points from the line</source>
+            <translation>Średnia odległość jej punktów od prostej</translation>
+        </message>
+        <message>
+            <source>vertical</source>
+            <translation>pionowa</translation>
+        </message>
+        <message>
+            <source>From %1 to %2 m, %3 out of the vertical</source>
+            <translation>Od %1 do %2 m, %3 od pionu</translation>
+        </message>
+        <message>
+            <source>Show from near</source>
+            <translation>Pokaż z bliska</translation>
+        </message>
+        <message>
+            <source>Select plane %1</source>
+            <translation>Zaznacz płaszczyznę %1</translation>
+        </message>
+        <message>
+            <source>Copy this row</source>
+            <translation>Kopiuj ten wiersz</translation>
+        </message>
+        <message>
+            <source>Write edges</source>
+            <translation>Zapis krawędzi</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::FlatMap</name>
+        <message>
+            <source>Height in m</source>
+            <translation>Wysokość w m</translation>
+        </message>
+        <message>
+            <source>Records a cell</source>
+            <translation>Rekordy w komórce</translation>
+        </message>
+        <message>
+            <source>x %1, y %2</source>
+            <translation>x %1, y %2</translation>
+        </message>
+        <message>
+            <source>height %1</source>
+            <translation>wysokość %1</translation>
+        </message>
+        <message>
+            <source>%1 records</source>
+            <translation>rekordy: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::FlatWindow</name>
+        <message>
+            <source>Stratascope</source>
+            <translation>Stratascope</translation>
+        </message>
+        <message>
+            <source>The three views cannot be drawn: %1. Both maps are shown from above; everything else is computed and exported as usual.</source>
+            <translation>Nie można narysować trzech widoków: %1. Obie mapy pokazano z góry; wszystko inne jest liczone i eksportowane jak zwykle.</translation>
+        </message>
+        <message>
+            <source>2.5D map</source>
+            <translation>Mapa 2.5D</translation>
+        </message>
+        <message>
+            <source>Extended 2.5D map</source>
+            <translation>Rozszerzona mapa 2.5D</translation>
+        </message>
+        <message>
+            <source>Parameters</source>
+            <translation>Parametry</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Plik</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Otwórz…</translation>
+        </message>
+        <message>
+            <source>Open scans</source>
+            <translation>Otwórz skany</translation>
+        </message>
+        <message>
+            <source>&amp;Export…</source>
+            <translation>&amp;Eksportuj…</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>&amp;Zakończ</translation>
+        </message>
+        <message>
+            <source>Export maps, planes and cloud into a folder</source>
+            <translation>Eksportuj mapy, płaszczyzny i chmurę do folderu</translation>
+        </message>
+        <message>
+            <source>Exported to %1</source>
+            <translation>Wyeksportowano do %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::FramePanel</name>
+        <message>
+            <source>metres</source>
+            <translation>metry</translation>
+        </message>
+        <message>
+            <source>centimetres</source>
+            <translation>centymetry</translation>
+        </message>
+        <message>
+            <source>millimetres</source>
+            <translation>milimetry</translation>
+        </message>
+        <message>
+            <source>feet</source>
+            <translation>stopy</translation>
+        </message>
+        <message>
+            <source>US survey feet</source>
+            <translation>stopy geodezyjne USA</translation>
+        </message>
+        <message>
+            <source>automatic</source>
+            <translation>automatycznie</translation>
+        </message>
+        <message>
+            <source>z up, x forward, y left</source>
+            <translation>z w górę, x w przód, y w lewo</translation>
+        </message>
+        <message>
+            <source>y up, x right, z backward</source>
+            <translation>y w górę, x w prawo, z w tył</translation>
+        </message>
+        <message>
+            <source>y up, x right, z forward (left-handed)</source>
+            <translation>y w górę, x w prawo, z w przód (lewoskrętny)</translation>
+        </message>
+        <message>
+            <source>y down, x right, z forward (camera)</source>
+            <translation>y w dół, x w prawo, z w przód (kamera)</translation>
+        </message>
+        <message>
+            <source>z down, x forward, y right</source>
+            <translation>z w dół, x w przód, y w prawo</translation>
+        </message>
+        <message>
+            <source>Give the sensor's pose</source>
+            <translation>Podaj położenie czujnika</translation>
+        </message>
+        <message>
+            <source>The points are in the sensor's own frame, and are moved by this pose into the map</source>
+            <translation>Punkty są w układzie czujnika i to położenie przenosi je do mapy</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>z</source>
+            <translation>z</translation>
+        </message>
+        <message>
+            <source>Roll</source>
+            <translation>Przechył</translation>
+        </message>
+        <message>
+            <source>Pitch</source>
+            <translation>Pochylenie</translation>
+        </message>
+        <message>
+            <source>Yaw</source>
+            <translation>Odchylenie</translation>
+        </message>
+        <message>
+            <source> m</source>
+            <translation> m</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>Back to the guess</source>
+            <translation>Wróć do odgadniętych</translation>
+        </message>
+        <message>
+            <source>Unit, axes and pose as the file says, or as they are guessed from its points</source>
+            <translation>Jednostka, osie i położenie według pliku albo odgadnięte z jego punktów</translation>
+        </message>
+        <message>
+            <source>Open a scan first.</source>
+            <translation>Najpierw otwórz skan.</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Plik</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Jednostka</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>Osie</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Rozmiar</translation>
+        </message>
+        <message>
+            <source>automatic: %1</source>
+            <translation>automatycznie: %1</translation>
+        </message>
+        <message>
+            <source>The file holds %1 scans with poses of their own.</source>
+            <translation>Plik zawiera skany (%1) z własnymi położeniami.</translation>
+        </message>
+        <message>
+            <source>Nothing had to be guessed.</source>
+            <translation>Niczego nie trzeba było zgadywać.</translation>
         </message>
     </context>
     <context>
@@ -1083,6 +1923,48 @@
         <message>
             <source>No page has all of these words.</source>
             <translation>Żadna strona nie zawiera wszystkich tych słów.</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::LineTrack</name>
+        <message>
+            <source>Lines of the scan</source>
+            <translation>Linie skanu</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::LiveControl</name>
+        <message>
+            <source>Stream</source>
+            <translation>Strumień</translation>
+        </message>
+        <message>
+            <source>&amp;Stream</source>
+            <translation>S&amp;trumień</translation>
+        </message>
+        <message>
+            <source>&amp;Play or pause</source>
+            <translation>&amp;Odtwarzaj lub wstrzymaj</translation>
+        </message>
+        <message>
+            <source>One line &amp;on</source>
+            <translation>Linię &amp;dalej</translation>
+        </message>
+        <message>
+            <source>One line &amp;back</source>
+            <translation>Linię &amp;wstecz</translation>
+        </message>
+        <message>
+            <source>25 lines on</source>
+            <translation>25 linii dalej</translation>
+        </message>
+        <message>
+            <source>25 lines back</source>
+            <translation>25 linii wstecz</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Zatrzymaj</translation>
         </message>
     </context>
     <context>
@@ -1207,6 +2089,134 @@
             <source>Select a point or a plane, then another one</source>
             <translation>Zaznacz punkt lub płaszczyznę, a potem następną</translation>
         </message>
+        <message>
+            <source>Edges</source>
+            <translation>Krawędzie</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Porównanie</translation>
+        </message>
+        <message>
+            <source>Charts</source>
+            <translation>Wykresy</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Przegląd</translation>
+        </message>
+        <message>
+            <source>&amp;Charts</source>
+            <translation>&amp;Wykresy</translation>
+        </message>
+        <message>
+            <source>&amp;Sweep a parameter</source>
+            <translation>&amp;Przegląd parametru</translation>
+        </message>
+        <message>
+            <source>Click a point to see why it was classified so</source>
+            <translation>Kliknij punkt, aby zobaczyć, dlaczego tak go sklasyfikowano</translation>
+        </message>
+        <message>
+            <source>The highest point of each cell</source>
+            <translation>Najwyższy punkt każdej komórki</translation>
+        </message>
+        <message>
+            <source>All heights: click one for the room above it</source>
+            <translation>Wszystkie wysokości: kliknij, by zobaczyć wolne miejsce</translation>
+        </message>
+        <message>
+            <source>Show the &amp;hints again</source>
+            <translation>Pokaż &amp;wskazówki ponownie</translation>
+        </message>
+        <message>
+            <source>Scans</source>
+            <translation>Skany</translation>
+        </message>
+        <message>
+            <source>Units and axes</source>
+            <translation>Jednostki i osie</translation>
+        </message>
+        <message>
+            <source>Not the same as when the session was saved: %1</source>
+            <translation>Inne niż w chwili zapisania sesji: %1</translation>
+        </message>
+        <message>
+            <source>Units and axes of %1</source>
+            <translation>Jednostki i osie pliku %1</translation>
+        </message>
+        <message>
+            <source>Pose of %1</source>
+            <translation>Położenie skanu %1</translation>
+        </message>
+        <message>
+            <source>The program ended unexpectedly. The work on %1 as of %2 can be brought back.</source>
+            <translation>Program zakończył się niespodziewanie. Pracę nad %1 z %2 można przywrócić.</translation>
+        </message>
+        <message>
+            <source>Bring back</source>
+            <translation>Przywróć</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>Odrzuć</translation>
+        </message>
+        <message>
+            <source>%1: units and axes as set before</source>
+            <translation>%1: jednostki i osie jak ustawiono poprzednio</translation>
+        </message>
+        <message>
+            <source>Change…</source>
+            <translation>Zmień…</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Zamknij</translation>
+        </message>
+        <message>
+            <source>One scan must stay.</source>
+            <translation>Jeden skan musi pozostać.</translation>
+        </message>
+        <message>
+            <source>Show %1</source>
+            <translation>Pokaż %1</translation>
+        </message>
+        <message>
+            <source>Hide %1</source>
+            <translation>Ukryj %1</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>brak</translation>
+        </message>
+        <message>
+            <source>%1 × %2 × %3 m</source>
+            <translation>%1 × %2 × %3 m</translation>
+        </message>
+        <message>
+            <source>%1: '%2', '%3' are no unit and axes; open its scans themselves</source>
+            <translation>%1: '%2', '%3' to nie jednostka i osie; otwórz same skany</translation>
+        </message>
+        <message>
+            <source>Open session</source>
+            <translation>Otwórz sesję</translation>
+        </message>
+        <message>
+            <source>Sessions (*.stratascope);;All files (*)</source>
+            <translation>Sesje (*.stratascope);;Wszystkie pliki (*)</translation>
+        </message>
+        <message>
+            <source>A session needs scan files; export the stream's cloud and open that.</source>
+            <translation>Sesja wymaga plików skanów; wyeksportuj chmurę strumienia i otwórz ją.</translation>
+        </message>
+        <message>
+            <source>Save session</source>
+            <translation>Zapisz sesję</translation>
+        </message>
+        <message>
+            <source>Sessions (*.stratascope)</source>
+            <translation>Sesje (*.stratascope)</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::MapView</name>
@@ -1262,6 +2272,10 @@
             <source>%1 free over the lowest</source>
             <translation>%1 wolne nad najniższym</translation>
         </message>
+        <message>
+            <source>inside the clip box</source>
+            <translation>wewnątrz pudła</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::MessageBar</name>
@@ -1313,6 +2327,29 @@
         </message>
     </context>
     <context>
+        <name>stratascope::PictureDialog</name>
+        <message>
+            <source>Save picture with size</source>
+            <translation>Zapis obrazu o podanym rozmiarze</translation>
+        </message>
+        <message>
+            <source> pixels</source>
+            <translation> pikseli</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Zapisz…</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Szerokość</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Wysokość</translation>
+        </message>
+    </context>
+    <context>
         <name>stratascope::PipelineBridge</name>
         <message>
             <source>The result could not be drawn: %1</source>
@@ -1324,22 +2361,6 @@
         <message>
             <source>Filter by class, name or number</source>
             <translation>Filtruj według klasy, nazwy lub numeru</translation>
-        </message>
-        <message>
-            <source>Copy, write to a file</source>
-            <translation>Kopiuj, zapisz do pliku</translation>
-        </message>
-        <message>
-            <source>Copy all rows</source>
-            <translation>Kopiuj wszystkie wiersze</translation>
-        </message>
-        <message>
-            <source>Copied %1 planes</source>
-            <translation>Skopiowano płaszczyzny: %1</translation>
-        </message>
-        <message>
-            <source>Write as CSV…</source>
-            <translation>Zapisz jako CSV…</translation>
         </message>
         <message>
             <source>Show from near</source>
@@ -1354,20 +2375,76 @@
             <translation>Kopiuj ten wiersz</translation>
         </message>
         <message>
-            <source>Copied plane %1</source>
-            <translation>Skopiowano płaszczyznę %1</translation>
-        </message>
-        <message>
             <source>Write planes</source>
             <translation>Zapisz płaszczyzny</translation>
         </message>
         <message>
-            <source>CSV (*.csv)</source>
-            <translation>CSV (*.csv)</translation>
+            <source>Show all planes</source>
+            <translation>Pokaż wszystkie płaszczyzny</translation>
         </message>
         <message>
-            <source>Wrote %1</source>
-            <translation>Zapisano %1</translation>
+            <source>#</source>
+            <translation>#</translation>
+        </message>
+        <message>
+            <source>Shown or hidden, colour and number</source>
+            <translation>Widoczność, kolor i numer</translation>
+        </message>
+        <message>
+            <source>Class</source>
+            <translation>Klasa</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Nazwa</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkty</translation>
+        </message>
+        <message>
+            <source>m²</source>
+            <translation>m²</translation>
+        </message>
+        <message>
+            <source>Area its neurons cover</source>
+            <translation>Pole pokryte jej neuronami</translation>
+        </message>
+        <message>
+            <source>σ mm</source>
+            <translation>σ mm</translation>
+        </message>
+        <message>
+            <source>Mean distance of its points from it</source>
+            <translation>Średnia odległość jej punktów od niej</translation>
+        </message>
+        <message>
+            <source>Label %1, normal %2 %3 %4, offset %5</source>
+            <translation>Etykieta %1, normalna %2 %3 %4, przesunięcie %5</translation>
+        </message>
+        <message>
+            <source>Colour of plane %1</source>
+            <translation>Kolor płaszczyzny %1</translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>Pokaż</translation>
+        </message>
+        <message>
+            <source>Hide</source>
+            <translation>Ukryj</translation>
+        </message>
+        <message>
+            <source>Hide all others</source>
+            <translation>Ukryj wszystkie inne</translation>
+        </message>
+        <message>
+            <source>Colour…</source>
+            <translation>Kolor…</translation>
+        </message>
+        <message>
+            <source>Colour of its number</source>
+            <translation>Kolor jej numeru</translation>
         </message>
     </context>
     <context>
@@ -1436,6 +2513,71 @@
         </message>
     </context>
     <context>
+        <name>stratascope::RowPanel</name>
+        <message>
+            <source>Copy, write to a file</source>
+            <translation>Kopiuj, zapisz do pliku</translation>
+        </message>
+        <message>
+            <source>Copy all rows</source>
+            <translation>Kopiuj wszystkie wiersze</translation>
+        </message>
+        <message>
+            <source>Copied %1 rows</source>
+            <translation>Skopiowano wiersze: %1</translation>
+        </message>
+        <message>
+            <source>Write as CSV…</source>
+            <translation>Zapisz jako CSV…</translation>
+        </message>
+        <message>
+            <source>Copied: %1</source>
+            <translation>Skopiowano: %1</translation>
+        </message>
+        <message>
+            <source>CSV (*.csv)</source>
+            <translation>CSV (*.csv)</translation>
+        </message>
+        <message>
+            <source>Wrote %1</source>
+            <translation>Zapisano %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ScanDesk</name>
+        <message>
+            <source>%1: not enough memory to read it; thin the cloud or split it</source>
+            <translation>%1: za mało pamięci na odczyt; przerzedź chmurę albo ją podziel</translation>
+        </message>
+        <message>
+            <source>%1: could not be read: %2</source>
+            <translation>%1: nie można odczytać: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::ScanPanel</name>
+        <message>
+            <source>Scan</source>
+            <translation>Skan</translation>
+        </message>
+        <message>
+            <source>Lines × beams</source>
+            <translation>Linie × wiązki</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkty</translation>
+        </message>
+        <message>
+            <source>Pose</source>
+            <translation>Położenie</translation>
+        </message>
+        <message>
+            <source>x, y, z in metres; roll, pitch, yaw in degrees: by which the points are moved into the map</source>
+            <translation>x, y, z w metrach; przechył, pochylenie, odchylenie w stopniach: tak punkty są przenoszone do mapy</translation>
+        </message>
+    </context>
+    <context>
         <name>stratascope::StageStrip</name>
         <message>
             <source>Stages</source>
@@ -1459,6 +2601,434 @@
         <message>
             <source>Drawing</source>
             <translation>Rysowanie</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::StreamCounts</name>
+        <message>
+            <source>received</source>
+            <translation>odebrane</translation>
+        </message>
+        <message>
+            <source>complete lines that were taken</source>
+            <translation>kompletne linie, które przyjęto</translation>
+        </message>
+        <message>
+            <source>bad CRC</source>
+            <translation>zły CRC</translation>
+        </message>
+        <message>
+            <source>telegrams whose check sum is wrong: none of their values is used</source>
+            <translation>telegramy z błędną sumą kontrolną: żadna ich wartość nie jest używana</translation>
+        </message>
+        <message>
+            <source>resynchronised</source>
+            <translation>resynchronizacje</translation>
+        </message>
+        <message>
+            <source>times the beginning of the next telegram had to be searched for</source>
+            <translation>ile razy trzeba było szukać początku następnego telegramu</translation>
+        </message>
+        <message>
+            <source>missing</source>
+            <translation>brakujące</translation>
+        </message>
+        <message>
+            <source>lines that never came, or not yet although later ones did</source>
+            <translation>linie, które nie nadeszły wcale albo jeszcze nie, choć późniejsze już są</translation>
+        </message>
+        <message>
+            <source>dropped</source>
+            <translation>porzucone</translation>
+        </message>
+        <message>
+            <source>complete lines given up since they came faster than they could be taken</source>
+            <translation>kompletne linie porzucone, bo nadchodziły szybciej, niż dało się je przyjąć</translation>
+        </message>
+        <message>
+            <source>connecting</source>
+            <translation>łączenie</translation>
+        </message>
+        <message>
+            <source>receiving</source>
+            <translation>odbiór</translation>
+        </message>
+        <message>
+            <source>paused</source>
+            <translation>wstrzymany</translation>
+        </message>
+        <message>
+            <source>ended</source>
+            <translation>zakończony</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>niepowodzenie</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::StreamDialog</name>
+        <message>
+            <source>Open stream</source>
+            <translation>Otwórz strumień</translation>
+        </message>
+        <message>
+            <source>Replay of a scan file</source>
+            <translation>Odtwarzanie pliku skanu</translation>
+        </message>
+        <message>
+            <source>Simulated scanner over a scene</source>
+            <translation>Symulowany skaner w scenie</translation>
+        </message>
+        <message>
+            <source>Scanner on a network (TCP)</source>
+            <translation>Skaner w sieci (TCP)</translation>
+        </message>
+        <message>
+            <source>Scanner on a serial port</source>
+            <translation>Skaner na porcie szeregowym</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Źródło</translation>
+        </message>
+        <message>
+            <source>As stratascope-cli stream takes it: replay:FILE, tcp://HOST:PORT or serial:DEVICE?baud=N</source>
+            <translation>Taki, jaki przyjmuje stratascope-cli stream: replay:PLIK, tcp://HOST:PORT lub serial:URZĄDZENIE?baud=N</translation>
+        </message>
+        <message>
+            <source>Give up after silence of</source>
+            <translation>Zrezygnuj po ciszy</translation>
+        </message>
+        <message>
+            <source>Address</source>
+            <translation>Adres</translation>
+        </message>
+        <message>
+            <source>Browse…</source>
+            <translation>Przeglądaj…</translation>
+        </message>
+        <message>
+            <source>as fast as it goes</source>
+            <translation>jak najszybciej</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Prędkość</translation>
+        </message>
+        <message>
+            <source>Again and again</source>
+            <translation>W kółko</translation>
+        </message>
+        <message>
+            <source>Begin paused</source>
+            <translation>Zacznij wstrzymany</translation>
+        </message>
+        <message>
+            <source>Simulated scanner</source>
+            <translation>Symulowany skaner</translation>
+        </message>
+        <message>
+            <source>as the scene says</source>
+            <translation>jak mówi scena</translation>
+        </message>
+        <message>
+            <source>steps from line to line</source>
+            <translation>krokowo, linia po linii</translation>
+        </message>
+        <message>
+            <source>turns while the mirror does</source>
+            <translation>obraca się razem z lustrem</translation>
+        </message>
+        <message>
+            <source>Head</source>
+            <translation>Głowica</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>brak</translation>
+        </message>
+        <message>
+            <source>of the LMS 200</source>
+            <translation>jak LMS 200</translation>
+        </message>
+        <message>
+            <source>Noise</source>
+            <translation>Szum</translation>
+        </message>
+        <message>
+            <source>The same seed gives the same noise; it rises by one from scan to scan</source>
+            <translation>To samo ziarno daje ten sam szum; rośnie o jeden ze skanu na skan</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>Ziarno</translation>
+        </message>
+        <message>
+            <source>An item of the scene that walks to and fro from scan to scan</source>
+            <translation>Element sceny, który chodzi tam i z powrotem ze skanu na skan</translation>
+        </message>
+        <message>
+            <source>Moves</source>
+            <translation>Porusza się</translation>
+        </message>
+        <message>
+            <source>Host</source>
+            <translation>Host</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>Port</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Urządzenie</translation>
+        </message>
+        <message>
+            <source>Baud</source>
+            <translation>Prędkość (bod)</translation>
+        </message>
+        <message>
+            <source>Head that does not tell where it is</source>
+            <translation>Głowica, która nie podaje położenia</translation>
+        </message>
+        <message>
+            <source>A head that speaks, as stratascope-cli serve does, needs none of this</source>
+            <translation>Głowica, która je podaje, jak stratascope-cli serve, tego nie potrzebuje</translation>
+        </message>
+        <message>
+            <source>until the stream ends</source>
+            <translation>do końca strumienia</translation>
+        </message>
+        <message>
+            <source>13 (8 m or 80 m)</source>
+            <translation>13 (8 m lub 80 m)</translation>
+        </message>
+        <message>
+            <source>14 (16 m)</source>
+            <translation>14 (16 m)</translation>
+        </message>
+        <message>
+            <source>15 (32 m)</source>
+            <translation>15 (32 m)</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> s</translation>
+        </message>
+        <message>
+            <source>never</source>
+            <translation>nigdy</translation>
+        </message>
+        <message>
+            <source>First line's elevation</source>
+            <translation>Elewacja pierwszej linii</translation>
+        </message>
+        <message>
+            <source>From line to line</source>
+            <translation>Od linii do linii</translation>
+        </message>
+        <message>
+            <source>Lines of a scan</source>
+            <translation>Linii w skanie</translation>
+        </message>
+        <message>
+            <source>Bits of a range</source>
+            <translation>Bitów odległości</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Scena</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Skan</translation>
+        </message>
+        <message>
+            <source>Scene to be scanned</source>
+            <translation>Scena do zeskanowania</translation>
+        </message>
+        <message>
+            <source>Scan to be replayed</source>
+            <translation>Skan do odtworzenia</translation>
+        </message>
+        <message>
+            <source>Scenes (*.json)</source>
+            <translation>Sceny (*.json)</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>Wszystkie pliki (*)</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>nic</translation>
+        </message>
+        <message>
+            <source>%1: there is no such file</source>
+            <translation>%1: nie ma takiego pliku</translation>
+        </message>
+        <message>
+            <source>%1: a scene is a .json file</source>
+            <translation>%1: scena to plik .json</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::SweepPanel</name>
+        <message>
+            <source>What each value leads to</source>
+            <translation>Do czego prowadzi każda wartość</translation>
+        </message>
+        <message>
+            <source>even</source>
+            <translation>równe</translation>
+        </message>
+        <message>
+            <source>geometric</source>
+            <translation>geometryczne</translation>
+        </message>
+        <message>
+            <source>Equal differences or equal ratios between neighbours</source>
+            <translation>Równe różnice albo równe ilorazy między sąsiadami</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Przegląd</translation>
+        </message>
+        <message>
+            <source>Write the samples to a file</source>
+            <translation>Zapisz próbki do pliku</translation>
+        </message>
+        <message>
+            <source>Write as CSV…</source>
+            <translation>Zapisz jako CSV…</translation>
+        </message>
+        <message>
+            <source>Save picture…</source>
+            <translation>Zapisz obraz…</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>do</translation>
+        </message>
+        <message>
+            <source>Parameter</source>
+            <translation>Parametr</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>Od</translation>
+        </message>
+        <message>
+            <source>Samples</source>
+            <translation>Próbki</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Anuluj</translation>
+        </message>
+        <message>
+            <source>Computing …</source>
+            <translation>Obliczanie …</translation>
+        </message>
+        <message>
+            <source>not possible</source>
+            <translation>niemożliwe</translation>
+        </message>
+        <message>
+            <source>now %1</source>
+            <translation>teraz %1</translation>
+        </message>
+        <message>
+            <source>Stopping …</source>
+            <translation>Zatrzymywanie …</translation>
+        </message>
+        <message>
+            <source>Sample %1 of %2</source>
+            <translation>Próbka %1 z %2</translation>
+        </message>
+        <message>
+            <source>Runs one parameter over a range in the background; the result on screen stays.</source>
+            <translation>Zmienia jeden parametr w zakresie, w tle; wynik na ekranie pozostaje.</translation>
+        </message>
+        <message>
+            <source>Click a sample to take its value.</source>
+            <translation>Kliknij próbkę, aby przyjąć jej wartość.</translation>
+        </message>
+        <message>
+            <source>Stopped after %1 of %2.</source>
+            <translation>Zatrzymano po %1 z %2.</translation>
+        </message>
+        <message>
+            <source>%1 not possible: %2</source>
+            <translation>%1 niemożliwych: %2</translation>
+        </message>
+        <message>
+            <source>Other parameters have changed since.</source>
+            <translation>Inne parametry zmieniły się od tego czasu.</translation>
+        </message>
+        <message>
+            <source>%1 %2 from the sweep</source>
+            <translation>%1 %2 z przeglądu</translation>
+        </message>
+        <message>
+            <source>PNG (*.png)</source>
+            <translation>PNG (*.png)</translation>
+        </message>
+        <message>
+            <source>CSV (*.csv)</source>
+            <translation>CSV (*.csv)</translation>
+        </message>
+        <message>
+            <source>Wrote %1</source>
+            <translation>Zapisano %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>stratascope::TransportBar</name>
+        <message>
+            <source>as fast as it goes</source>
+            <translation>jak najszybciej</translation>
+        </message>
+        <message>
+            <source>One line back (←; Ctrl+← 25 lines)</source>
+            <translation>Linię wstecz (←; Ctrl+← 25 linii)</translation>
+        </message>
+        <message>
+            <source>Play or pause (Space)</source>
+            <translation>Odtwarzaj lub wstrzymaj (spacja)</translation>
+        </message>
+        <message>
+            <source>One line on (→; Ctrl+→ 25 lines)</source>
+            <translation>Linię dalej (→; Ctrl+→ 25 linii)</translation>
+        </message>
+        <message>
+            <source>End the stream; what arrived stays</source>
+            <translation>Zakończ strumień; to, co nadeszło, pozostaje</translation>
+        </message>
+        <message>
+            <source>Speed; ×1 is the scanner's own, a line in 26.64 ms</source>
+            <translation>Prędkość; ×1 to własna prędkość skanera, linia w 26,64 ms</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Prędkość</translation>
+        </message>
+        <message>
+            <source>Lines that have arrived, of those the ones in the picture, and of those the ones whose classes and planes hardly change any more. Others are dimmed in the views.</source>
+            <translation>Linie, które nadeszły, z nich te na obrazie, a z tych te, których klasy i płaszczyzny prawie się już nie zmieniają. Pozostałe są w widokach przygaszone.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 lines arrived</source>
+            <translation>nadeszło %1 z %2 linii</translation>
+        </message>
+        <message>
+            <source>%1 computed</source>
+            <translation>obliczone: %1</translation>
+        </message>
+        <message>
+            <source>%1 final</source>
+            <translation>ostateczne: %1</translation>
         </message>
     </context>
     <context>

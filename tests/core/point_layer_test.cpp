@@ -114,17 +114,28 @@ TEST(RangeNoise, IsReadOffTheScan) {
   EXPECT_GE(computePoints(exact.scan, {}).noise.sigmaAt(5), RangeNoise::kFloor);
 }
 
+/// The same scan with every point moved along its beam.
+template <class RangeFactor>
+Scan movedAlongBeams(Scan scan, const RangeFactor& factor) {
+  ScanBuilder builder(scan.lattice->beams());
+  for (int i = 0; i < scan.lattice->lines(); ++i) {
+    std::vector<Eigen::Vector3f> line;
+    for (const Eigen::Vector3f& p : scan.lattice->points().row(i))
+      line.push_back(p * static_cast<float>(factor(p)));
+    builder.appendLine(line);
+  }
+  scan.lattice = builder.freeze();
+  return scan;
+}
+
 TEST(RangeNoise, KnowsStepsThatHideIt) {
   // A camera that measures whole disparities: most neighbours have the same depth, and only steps tell.
   const SimulatedScan exact = simulateScan(test::plainRoom(), {.noise = NoiseModel::None});
   const double disparity = 0.003;  // of inverse depth; a step of 0.003 d² at depth d
-  Grid<Eigen::Vector3f> points = exact.scan.lattice->points();
-  for (Eigen::Vector3f& p : points.values()) {
-    const double depth = std::abs(p.x()), whole = std::round(1 / depth / disparity);
-    if (whole > 0) p *= static_cast<float>(1 / (whole * disparity) / depth);
-  }
-  Scan scan = exact.scan;
-  scan.lattice = ScanLattice(points);
+  const Scan scan = movedAlongBeams(exact.scan, [&](const Eigen::Vector3f& p) {
+    const double depth = std::abs(p.x()), whole = std::max(1.0, std::round(1 / depth / disparity));
+    return 1 / (whole * disparity) / depth;
+  });
   const RangeNoise noise = computePoints(scan, {}).noise;
   // The bin of 3 m reaches from 2.83 to 4 m; depth is less than range.
   EXPECT_GT(noise.sigmaAt(3), 0.003 * 1.5 * 1.5 / 2);
@@ -134,13 +145,10 @@ TEST(RangeNoise, KnowsStepsThatHideIt) {
 
 TEST(RangeNoise, OfWholeCentimetresIsTheirs) {
   const SimulatedScan exact = simulateScan(test::plainRoom(), {.noise = NoiseModel::None});
-  Grid<Eigen::Vector3f> points = exact.scan.lattice->points();
-  for (Eigen::Vector3f& p : points.values()) {
+  const Scan scan = movedAlongBeams(exact.scan, [](const Eigen::Vector3f& p) {
     const double r = p.cast<double>().norm();
-    if (std::isfinite(r)) p *= static_cast<float>(std::round(100 * r) / (100 * r));
-  }
-  Scan scan = exact.scan;
-  scan.lattice = ScanLattice(points);
+    return std::round(100 * r) / (100 * r);
+  });
   EXPECT_NEAR(computePoints(scan, {}).noise.sigmaAt(3), 0.005, 1e-3);
 }
 
