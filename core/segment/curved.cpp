@@ -81,6 +81,7 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
   const std::vector<std::vector<GridIndex>> members = sampleOf(regions, kEnough);
   constexpr double kSignificant = 40;   // χ² that three more coefficients must save
   constexpr double kNoticeable = 0.12;  // χ² a neuron, too: some strays at a border make no curve
+  constexpr double kMuch = 0.25;        // of the plane's χ²: scanners bend walls, too, a little, close by
   constexpr double kPipeRadius =
       0.5;  // metres: a strip of a pipe or pillar bends so much that less tells it…
   constexpr double kSurelyBent = 28;  // …χ² that chance does not save with three coefficients
@@ -109,7 +110,8 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
     const Verdict inside = judge(own);
     const bool sampled = members[l].size() < regions.size[l];
     const double saved = inside.planeError - inside.quadraticError;
-    const bool bent = inside.radius < kLargestRadius && saved > std::max(kSignificant, kNoticeable * own.n);
+    const bool bent = inside.radius < kLargestRadius &&
+                      saved > std::max({kSignificant, kNoticeable * own.n, kMuch * inside.planeError});
     const bool ofAPipe =
         inside.radius < kPipeRadius && saved > std::max(kSurelyBent, kHardlyNoticeable * own.n);
     if (inside.known && (bent || ofAPipe) && inside.quadraticError < kFitsWell * own.n) {
