@@ -140,7 +140,8 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   welcome_->setRecent(session_->recentFiles());
   firstLayout_ = saveState();
   if (keep == Keep::Session && session_->recentFiles().isEmpty()) showHints();
-  session_->restore(*this);
+  // Which of tabbed docks is in front can be said only once they are laid out.
+  if (!session_->restore(*this)) QTimer::singleShot(0, this, &MainWindow::raiseFirstTabs);
   live_->refresh();
   offerRecovery();
 }
@@ -254,7 +255,13 @@ void MainWindow::lockRanges(bool lock) {
 void MainWindow::resetLayout() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setFloating(false);
   restoreState(firstLayout_);
+  raiseFirstTabs();
   live_->refresh();
+}
+
+void MainWindow::raiseFirstTabs() {
+  for (const char* name : {"planesDock", "inspectorDock"})
+    findChild<QDockWidget*>(QLatin1String(name))->raise();
 }
 
 void MainWindow::showHelp() {

@@ -152,6 +152,7 @@ protected:
 
 private:
   void buildDocks();
+  void raiseFirstTabs();
   /// Tabs with the dock `beside`.
   void buildChartDocks(QDockWidget* beside);
   void buildChartMenu();

@@ -12,7 +12,7 @@
 namespace stratascope {
 namespace {
 // Raised when docks or toolbars change so much that an old arrangement no longer fits.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr int kMostRecent = 10;
 }  // namespace
 
@@ -55,12 +55,12 @@ void Session::setTheme(Theme theme) {
   applyTheme(theme);
 }
 
-void Session::restore(QMainWindow& window) {
-  if (!keep_) return;
+bool Session::restore(QMainWindow& window) {
+  if (!keep_) return false;
   const QSettings settings;
-  if (settings.value("version").toInt() != kVersion) return;
+  if (settings.value("version").toInt() != kVersion) return false;
   window.restoreGeometry(settings.value("geometry").toByteArray());
-  window.restoreState(settings.value("state").toByteArray(), kVersion);
+  return window.restoreState(settings.value("state").toByteArray(), kVersion);
 }
 
 void Session::save(const QMainWindow& window) {

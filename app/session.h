@@ -29,7 +29,8 @@ public:
   Theme theme() const { return theme_; }
   void setTheme(Theme theme);
 
-  void restore(QMainWindow& window);
+  /// Whether a layout of this version was kept.
+  bool restore(QMainWindow& window);
   void save(const QMainWindow& window);
 
 signals:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/class_matrix.h"
 
+#include <QFontInfo>
 #include <QHelpEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -107,12 +108,18 @@ void ClassMatrix::paintEvent(QPaintEvent*) {
     const QRectF head = cell(0, j).translated(0, -rowHeight());
     swatch(head.right() - kSwatch - 3, head.center().y(), shown_[j]);
   }
+  // Small enough for the widest number.
+  QFont numbers = font();
+  const double widest = fontMetrics().horizontalAdvance(QStringLiteral("888k")) + 5,
+               room = cell(0, 0).width();
+  if (widest > room) numbers.setPointSizeF(QFontInfo(numbers).pointSizeF() * room / widest);
   for (size_t i = 0; i < shown_.size(); ++i) {
     const auto& row = comparison_->classes[shown_[i]];
     const double all =
         static_cast<double>(std::max<size_t>(1, std::accumulate(row.begin(), row.end(), size_t{0})));
     swatch(kMargin, cell(i, 0).center().y(), shown_[i]);
     painter.setPen(text);
+    painter.setFont(font());
     painter.drawText(QRectF(kMargin + kSwatch + 6, cell(i, 0).top(), nameWidth(), rowHeight()),
                      Qt::AlignLeft | Qt::AlignVCenter, nameOf(shown_[i]));
     for (size_t j = 0; j < shown_.size(); ++j) {
@@ -128,6 +135,7 @@ void ClassMatrix::paintEvent(QPaintEvent*) {
         painter.fillRect(box.adjusted(1, 1, 0, 0), shade);
       }
       painter.setPen(count > 0 ? text : muted);
+      painter.setFont(numbers);
       painter.drawText(box.adjusted(0, 0, -3, 0), Qt::AlignRight | Qt::AlignVCenter,
                        count > 0 ? shortCount(count, fontMetrics(), box.width() - 5) : QStringLiteral("·"));
     }

@@ -125,7 +125,7 @@ void ClassOptions::showEffects() {
     turned_->clear();
     return;
   }
-  cleaned_->setText(params_.classes.clean ? tr("points changed: %1").arg(countText(effects_->cleaned))
+  cleaned_->setText(params_.classes.clean ? tr("%1 changed").arg(countText(effects_->cleaned))
                                           : tr("would change: %1").arg(countText(effects_->cleaned)));
   turned_->setText(tr("turned %1").arg(degreesText(effects_->turnedDeg)));
   turned_->setToolTip(tr("How far the walls are turned against where the sensor looks"));

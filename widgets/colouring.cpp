@@ -64,6 +64,8 @@ QString colouringName(MapColouring colouring) {
       return QObject::tr("Number of records");
     case MapColouring::Clearance:
       return QObject::tr("Clearance");
+    case MapColouring::Drivable:
+      return QObject::tr("Where a robot can drive");
   }
   return {};
 }
@@ -91,6 +93,8 @@ QString scaleTitle(MapColouring colouring) {
       return QObject::tr("Records in a cell");
     case MapColouring::Clearance:
       return QObject::tr("Free height above in m");
+    case MapColouring::Drivable:
+      return colouringName(colouring);
   }
   return {};
 }
@@ -149,7 +153,7 @@ std::vector<float> cloudValues(const Snapshot& snapshot, const CloudGeometry& cl
 }
 
 std::vector<float> recordValues(const IntervalMap& map, MapColouring colouring) {
-  if (colouring == MapColouring::Height) return {};
+  if (colouring == MapColouring::Height || colouring == MapColouring::Drivable) return {};
   std::vector<float> out(map.records.size());
   for (size_t o = 0; o + 1 < map.first.size(); ++o)
     for (std::uint32_t i = map.first[o]; i < map.first[o + 1]; ++i) {

@@ -17,8 +17,8 @@ struct CloudGeometry;
 enum class CloudColouring { SurfaceClass, Plane, Direction, Height, Range, Sigma, NormalAngle };
 inline constexpr int kCloudColourings = 7;
 /// What the colours of both maps mean.
-enum class MapColouring { Height, Records, Clearance };
-inline constexpr int kMapColourings = 3;
+enum class MapColouring { Height, Records, Clearance, Drivable };
+inline constexpr int kMapColourings = 4;
 
 QString colouringName(CloudColouring colouring);
 QString colouringName(MapColouring colouring);
@@ -33,7 +33,7 @@ std::vector<float> cloudValues(const Snapshot& snapshot, const CloudGeometry& cl
                                CloudColouring colouring);
 
 /// Of each record of the interval map: how many its cell has, or the free height over it up to the next one
-/// in metres, infinite where nothing is above. Empty for Height.
+/// in metres, infinite where nothing is above. Empty for Height and Drivable, which has colours of its own.
 std::vector<float> recordValues(const IntervalMap& map, MapColouring colouring);
 /// Of each cell, by its lowest record; NaN for cells without one.
 std::vector<float> cellValues(const IntervalMap& map, std::span<const float> ofRecords);

@@ -187,7 +187,7 @@ void RowPanel::layOutColumns(int sortColumn, Qt::SortOrder order) {
     }
     const int text = std::max(fontMetrics().horizontalAdvance(QString::fromUtf8(column.widest)),
                               fontMetrics().horizontalAdvance(column.title));
-    header->resizeSection(c, text + 14 + (column.swatch ? 18 : 0) + (column.check ? 8 : 0));
+    header->resizeSection(c, text + 14 + (column.swatch ? 18 : 0) + (column.check ? 20 : 0));
   }
   table_->sortByColumn(sortColumn, order);
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "widgets/drivable.h"
+
 namespace stratascope {
 namespace {
 
@@ -249,12 +251,14 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   const Snapshot& snapshot = *g.snapshot;
   const ViewOptions& options = g.options;
   if (!snapshot.cells || !snapshot.intervalMap) return;
+  const bool drivable = options.mapColouring == MapColouring::Drivable && snapshot.heightMap;
   const bool byRecords = options.mapColouring != MapColouring::Height;
   const bool sameIntervals = old && snapshot.intervalMap == old->snapshot->intervalMap;
   const bool lookStands = heightsStand && g.cut == old->cut && g.finalLines == old->finalLines &&
                           options.mapColouring == old->options.mapColouring &&
                           options.colourMap == old->options.colourMap &&
-                          options.mapRange == old->options.mapRange && options.clip == old->options.clip;
+                          options.mapRange == old->options.mapRange && options.clip == old->options.clip &&
+                          (!drivable || samePlanes(snapshot, *old->snapshot));
   const ClipBox* clip = options.clip ? &*options.clip : nullptr;
   const bool columnsStand =
       lookStands && old->columns && snapshot.cells == old->snapshot->cells && (!byRecords || sameIntervals);
@@ -262,9 +266,15 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
 
   std::vector<float> ofRecords, ofCells;
   std::vector<char> provisional;
+  DrivableColours drive;
   if (columnsStand && boxesStand) {
     g.mapScale = old->mapScale;
+    g.mapKey = old->mapKey;
   } else {
+    if (drivable) {
+      drive = drivableColours(snapshot);
+      g.mapKey = drive.key;
+    }
     provisional = provisionalCells(g);
     ofRecords = recordValues(*snapshot.intervalMap, options.mapColouring);
     ofCells = cellValues(*snapshot.intervalMap, ofRecords);
@@ -282,6 +292,9 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
   } else {
     g.columnHeights = std::make_shared<const std::vector<float>>(heightsBelow(*snapshot.cells, g.cut, clip));
     const auto mesh = [&](MeshDetail detail) {
+      if (drivable)
+        return std::make_shared<const MapMesh>(
+            buildColumnMesh(snapshot.cells->frame, *g.columnHeights, drive.ofCells, g.base, detail));
       return std::make_shared<const MapMesh>(buildColumnMesh(snapshot.cells->frame, *g.columnHeights, ofCells,
                                                              g.base, g.mapScale, detail, provisional));
     };
@@ -294,6 +307,9 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
     g.boxCount = old->boxCount;
   } else {
     const auto mesh = [&](MeshDetail detail) {
+      if (drivable)
+        return std::make_shared<const MapMesh>(
+            buildBoxMesh(*snapshot.intervalMap, drive.ofRecords, g.cut, detail, clip));
       return std::make_shared<const MapMesh>(
           buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail, clip, provisional));
     };

@@ -27,21 +27,9 @@ constexpr std::array<ExportKindInfo, 8> kKinds = {
      {ExportKind::Csv, "csv", "Planes and edges as CSV"},
      {ExportKind::Map, "map", "Extended map (.strata)"}}};
 
-/// Height of the largest floor below the first scan's sensor.
-std::optional<double> floorHeight(const Snapshot& snapshot, const Eigen::Vector2d& at) {
-  const Plane* floor = nullptr;
-  for (const ScanProducts& scan : snapshot.scans)
-    for (const Plane& plane : scan.planes->planes)
-      if (plane.role == "floor" && (!floor || plane.points > floor->points)) floor = &plane;
-  if (!floor || std::abs(floor->normal.z()) < 0.5) return {};
-  return (floor->offset - floor->normal.head<2>().dot(at)) / floor->normal.z();
-}
-
 Status addOccupancy(const Snapshot& snapshot, const Provenance& provenance, const ExtraOptions& options,
                     std::vector<OutputFile>& files, std::vector<std::string>& notes) {
-  RobotStart start;
-  start.at = options.robotStart.value_or(snapshot.scans.front().points->sensor.head<2>());
-  start.ground = floorHeight(snapshot, start.at);
+  const RobotStart start = robotStartOf(snapshot, options.robotStart);
   OccupancyMap map = occupancyMap(*snapshot.intervalMap, options.robot, start, "map.pgm", provenance);
   if (!map.reason.empty()) {
     if (options.robotStart)

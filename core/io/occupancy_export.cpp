@@ -2,77 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/occupancy_export.h"
 
-#include <algorithm>
-#include <cmath>
-#include <tuple>
-#include <vector>
-
 #include "io/number_text.h"
 
 namespace stratascope {
 namespace {
 
-constexpr double kSearchRadius = 2;      // metres around the start
-constexpr double kLeastTolerance = 0.1;  // an uneven floor is still the floor
-constexpr int kMostTries = 20;
 constexpr unsigned char kFree = 254, kOccupied = 0, kUnknown = 205;  // what map_server writes itself
-
-/// Occupied cells near the start, the nearest first.
-std::vector<CellIndex> cellsAround(const IntervalMap& map, const Eigen::Vector2d& at) {
-  std::vector<std::tuple<double, CellIndex>> found;
-  const auto reach = static_cast<int>(std::ceil(kSearchRadius / map.frame.cell));
-  const CellIndex middle = map.frame.cellAt(at.x(), at.y());
-  for (int dk = -reach; dk <= reach; ++dk)
-    for (int dl = -reach; dl <= reach; ++dl) {
-      const CellIndex c{middle.k + dk, middle.l + dl};
-      const double distance = (map.frame.centre(c) - at).norm();
-      if (distance <= kSearchRadius && !map.cell(c).empty()) found.emplace_back(distance, c);
-    }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    const auto& [da, ca] = a;
-    const auto& [db, cb] = b;
-    return std::tie(da, ca.k, ca.l) < std::tie(db, cb.k, cb.l);
-  });
-  std::vector<CellIndex> cells;
-  for (const auto& [distance, cell] : found) cells.push_back(cell);
-  return cells;
-}
-
-Traversability reachFrom(const IntervalMap& map, const RobotParams& robot, const RobotStart& start) {
-  const std::vector<CellIndex> cells = cellsAround(map, start.at);
-  double ground = start.ground.value_or(0);
-  if (!start.ground && !cells.empty()) {
-    ground = map.cell(cells.front()).front().max;
-    for (const CellIndex c : cells) ground = std::min<double>(ground, map.cell(c).front().max);
-  }
-  const double tolerance = std::max(robot.step, kLeastTolerance);
-  // Room enough on the ground itself: not what else one could stand on, such as the tops of the pipes above.
-  const auto canStand = [&](CellIndex c) {
-    const auto records = map.cell(c);
-    return std::any_of(records.begin(), records.end(), [&](const HeightInterval& floor) {
-      const double top = floor.max;
-      return std::abs(top - ground) <= tolerance &&
-             std::none_of(records.begin(), records.end(), [&](const HeightInterval& r) {
-               return static_cast<double>(r.max) > top && static_cast<double>(r.min) - top < robot.height;
-             });
-    });
-  };
-  Traversability nothing;
-  nothing.reason = cells.empty() ? "nothing was seen within 2 m of the start"
-                                 : "there is no room on the ground within 2 m of the start";
-  int tries = 0;
-  for (const CellIndex c : cells) {
-    if (!canStand(c)) continue;
-    Traversability result = findReachable(map, robot, c, ground);
-    if (result.reason.empty()) return result;
-    nothing.reason = result.reason;
-    if (++tries == kMostTries) break;
-  }
-  nothing.cells.assign(map.frame.size(), CellState::Unseen);
-  for (size_t o = 0; o < map.frame.size(); ++o)
-    if (map.first[o] != map.first[o + 1]) nothing.cells[o] = CellState::Blocked;
-  return nothing;
-}
 
 std::string yamlText(const IntervalMap& map, const RobotParams& robot, const OccupancyMap& out,
                      const std::string& pgmName, const Provenance& provenance) {

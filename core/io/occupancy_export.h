@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "base/expected.h"
@@ -17,13 +16,6 @@ struct OccupancyMap {
   std::string yaml;  ///< resolution, origin, thresholds, and what free means here
   std::size_t freeCells = 0, occupiedCells = 0, unknownCells = 0;
   std::string reason;  ///< why nothing is free; empty otherwise
-};
-
-/// Where the robot is known to be. Its start is the nearest place to x, y within 2 m where it can stand, at
-/// no more than a step (10 cm at least) from `ground`.
-struct RobotStart {
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();
-  std::optional<double> ground;  ///< height of the floor there; without it the lowest record within 2 m
 };
 
 /// Free: the robot's centre can come there from its start (see findReachable), so what is in its way is grown

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,17 @@ struct Traversability {
 /// each cell.
 Traversability findReachable(const IntervalMap& map, const RobotParams& robot, CellIndex start,
                              double height = 0);
+
+/// Where the robot is known to be. Its start is the nearest place to x, y within 2 m where it can stand, at
+/// no more than a step (10 cm at least) from `ground`.
+struct RobotStart {
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  std::optional<double> ground;  ///< height of the floor there; without it the lowest record within 2 m
+};
+
+/// findReachable() from that start. With a reason, nothing is reachable and all cells seen are blocked; the
+/// flags of the records are empty then.
+Traversability reachFrom(const IntervalMap& map, const RobotParams& robot, const RobotStart& start);
 
 /// The 2.5D map as an extended one with a single record [z, z] in every cell seen, to put the same question
 /// to both: what hangs over the floor blocks it there.

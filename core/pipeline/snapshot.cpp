@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/snapshot.h"
 
+#include <cmath>
+
 namespace stratascope {
 
 namespace {
@@ -32,6 +34,19 @@ const Plane* Snapshot::plane(PlaneLabel label) const {
       for (const Plane& plane : scan.planes->planes)
         if (plane.label == label) return &plane;
   return nullptr;
+}
+
+RobotStart robotStartOf(const Snapshot& snapshot, const std::optional<Eigen::Vector2d>& at) {
+  RobotStart start;
+  start.at = at ? *at : Eigen::Vector2d(snapshot.scans.front().points->sensor.head<2>());
+  const Plane* floor = nullptr;
+  for (const ScanProducts& scan : snapshot.scans)
+    if (scan.planes)
+      for (const Plane& plane : scan.planes->planes)
+        if (plane.role == "floor" && (!floor || plane.points > floor->points)) floor = &plane;
+  if (floor && std::abs(floor->normal.z()) >= 0.5)
+    start.ground = (floor->offset - floor->normal.head<2>().dot(start.at)) / floor->normal.z();
+  return start;
 }
 
 }  // namespace stratascope

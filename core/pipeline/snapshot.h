@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "layers/products.h"
 #include "map/maps.h"
+#include "map/traversability.h"
 #include "params/pipeline_params.h"
 #include "scan/scan_lattice.h"
 
@@ -66,6 +68,10 @@ struct Snapshot {
   /// nullptr if no plane has that label.
   const Plane* plane(PlaneLabel label) const;
 };
+
+/// Below the first scan's sensor, or there, on the largest floor if one was found.
+RobotStart robotStartOf(const Snapshot& snapshot, const std::optional<Eigen::Vector2d>& at = {});
+
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
 }  // namespace stratascope

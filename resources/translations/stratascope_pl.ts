@@ -954,6 +954,26 @@
             <source> in %1</source>
             <translation> w %1</translation>
         </message>
+        <message>
+            <source>Where a robot can drive</source>
+            <translation>Gdzie może jechać robot</translation>
+        </message>
+        <message>
+            <source>Robot %1 high, radius %2, steps %3</source>
+            <translation>Robot o wysokości %1, promień %2, stopnie %3</translation>
+        </message>
+        <message>
+            <source>cells free in both maps</source>
+            <translation>komórki wolne na obu mapach</translation>
+        </message>
+        <message>
+            <source>cells only the extended map frees</source>
+            <translation>komórki wolne tylko na mapie rozszerzonej</translation>
+        </message>
+        <message>
+            <source>cells blocked</source>
+            <translation>komórki zablokowane</translation>
+        </message>
     </context>
     <context>
         <name>stratascope::Actions</name>
@@ -1326,10 +1346,6 @@
             <translation>Osie czujnika</translation>
         </message>
         <message>
-            <source>points changed: %1</source>
-            <translation>zmienione punkty: %1</translation>
-        </message>
-        <message>
             <source>would change: %1</source>
             <translation>zmieniłoby: %1</translation>
         </message>
@@ -1340,6 +1356,10 @@
         <message>
             <source>How far the walls are turned against where the sensor looks</source>
             <translation>O ile ściany są obrócone względem kierunku patrzenia czujnika</translation>
+        </message>
+        <message>
+            <source>%1 changed</source>
+            <translation>zmieniono: %1</translation>
         </message>
     </context>
     <context>
