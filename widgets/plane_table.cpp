@@ -45,7 +45,7 @@ void PlanePanel::setColumns() {
   RowColumn& number = columns[kNumber];
   number.title = tr("#");
   number.tip = tr("Shown or hidden, colour and number");
-  number.widest = "888";
+  number.widest = "88";
   number.text = [this](int r) { return QString::number(this->number(r)); };
   number.sortKey = [this](int r) { return this->number(r); };
   number.swatch = [this](int r) { return stratascope::colourOf(colourOf(this->number(r))); };

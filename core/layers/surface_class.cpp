@@ -130,7 +130,7 @@ public:
       }
       if (normal.dot(normals_.normals[n]) < cosParallel_) opening += openingBetween(at, to, d);
     }
-    if (opening != 0 || known(normals_.normals(at))) return creaseOf(opening);
+    if (opening != 0 || known(normals_.normals(at))) return creaseOf(opening, 0.5f * noise);
     // No window fits a neuron right on a crease: look at the surfaces on both sides of it.
     for (size_t d = 0; d < 4; ++d)
       for (int reach : {1, 2}) {
@@ -141,7 +141,7 @@ public:
         if (!valid(a) || !valid(b)) continue;
         opening += openingBetween(a, b, {-kLatticeDirections[d].row, -kLatticeDirections[d].col});
       }
-    return creaseOf(opening);
+    return creaseOf(opening, 0.5f * noise);
   }
 
 private:
@@ -171,10 +171,11 @@ private:
     return (n2 - n1).dot(points_.points(farther(b, direction)) -
                          points_.points(farther(a, {-direction.row, -direction.col})));
   }
-  static SurfaceClass creaseOf(float opening) {
-    return opening > 0   ? SurfaceClass::ConvexEdge
-           : opening < 0 ? SurfaceClass::ConcaveEdge
-                         : SurfaceClass::Unknown;
+  // What opens no more than noise does (3 σ) is none: on a depth camera's stairs normals differ everywhere.
+  static SurfaceClass creaseOf(float opening, float noise) {
+    return opening > noise    ? SurfaceClass::ConvexEdge
+           : opening < -noise ? SurfaceClass::ConcaveEdge
+                              : SurfaceClass::Unknown;
   }
 
   // Up to three neurons on, while the surface stays the same.

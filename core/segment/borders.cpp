@@ -207,6 +207,11 @@ size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int
   // neurons is all a synchronous step has to visit.
   std::vector<GridIndex> active = borderOf(neurons, alive, region, execution), next;
   Grid<int> listed(region.rows(), region.cols(), -1);  // the step a neuron was last put on the list
+  struct Left {
+    std::int32_t label = kNoRegion;
+    int step = -2;
+  };
+  Grid<Left> left(region.rows(), region.cols());  // what a neuron was before, until which step
   std::vector<std::int32_t> wanted;
   size_t changes = 0;
   for (int step = 0; step < mostSteps && !active.empty(); ++step) {
@@ -223,6 +228,9 @@ size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int
     for (size_t k = 0; k < active.size(); ++k) {
       const GridIndex at = active[k];
       if (wanted[k] == region(at)) continue;
+      // Neighbours that change at the same time can swap for ever: nobody goes straight back.
+      if (left(at).step == step - 1 && left(at).label == wanted[k]) continue;
+      left(at) = {region(at), step};
       region(at) = wanted[k];
       ++changes;
       for (int di = -1; di <= 1; ++di)
