@@ -18,14 +18,11 @@
 #include "params/param_table.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_panel.h"
+#include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
 namespace stratascope {
 namespace {
-
-std::string native(const QString& path) {
-  return QFile::encodeName(path).toStdString();
-}
 
 QString fileFilter() {
   QStringList patterns;
@@ -56,7 +53,7 @@ void MainWindow::exportTo(const QString& directory) {
   note(tr("Exporting to %1 …").arg(directory));
   background_.run(
       this,
-      [result, folder = native(directory), counters = live_->countersJson()]() -> QString {
+      [result, folder = nativePath(directory), counters = live_->countersJson()]() -> QString {
         try {
           const auto written = exportResults(*result, folder, counters);
           return written ? QString() : QString::fromStdString(written.error().message());
@@ -115,7 +112,7 @@ void MainWindow::loadParamsFrom() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Load parameters"), session_->lastDirectory(),
                                                     tr("Parameters (*.json);;All files (*)"));
   if (path.isEmpty()) return;
-  const auto params = loadParams(native(path));
+  const auto params = loadParams(nativePath(path));
   if (params)
     changeParams(*params, tr("Parameters of %1").arg(QFileInfo(path).fileName()));
   else
@@ -127,7 +124,7 @@ void MainWindow::saveParamsTo() {
       this, tr("Save parameters"), session_->lastDirectory() + QStringLiteral("/parameters.json"),
       tr("Parameters (*.json)"));
   if (path.isEmpty()) return;
-  const Status written = writeFileAtomically(native(path), paramsToJson(params_->params()));
+  const Status written = writeFileAtomically(nativePath(path), paramsToJson(params_->params()));
   if (!written) showError(QString::fromStdString(written.error().message()));
 }
 

@@ -1,20 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the main window does with the scans that are open: how they are read, which are shown, and sessions.
-#include <QAction>
-#include <QActionGroup>
+// What the main window does with the scans that are open: how they are read, and which are shown.
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDockWidget>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QSettings>
-#include <QSplitter>
-#include <QStackedWidget>
 #include <QStandardPaths>
-#include <QTimer>
 #include <QUndoCommand>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -25,27 +18,17 @@
 #include "app/scan_desk.h"
 #include "app/session.h"
 #include "app/window_state.h"
-#include "io/session_file.h"
 #include "widgets/frame_panel.h"
 #include "widgets/log_panel.h"
 #include "widgets/message_bar.h"
 #include "widgets/offer_bar.h"
 #include "widgets/param_history.h"
-#include "widgets/param_panel.h"
 #include "widgets/scan_panel.h"
 #include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
 namespace stratascope {
 namespace {
-
-const QString kSessionEnding = QStringLiteral(".stratascope");
-constexpr int kDocksVersion = 1;
-const char* const kMarks = "view_";  // how the names of View's checkable actions begin
-
-std::string native(const QString& path) {
-  return QFile::encodeName(path).toStdString();
-}
 
 QString number(double value) {
   return QString::number(value, 'g', 12);
@@ -223,26 +206,12 @@ void MainWindow::buildScanParts() {
   connect(offer_, &OfferBar::left, autosave_, &Autosave::forgetLeftBehind);
 }
 
-void MainWindow::offerRecovery() {
-  offered_ = autosave_->leftBehind();
-  if (offered_.isEmpty()) return;
-  const auto session = readSession(native(offered_));
-  if (!session) return autosave_->forgetLeftBehind();
-  QStringList names;
-  for (const SessionInput& input : session->inputs)
-    names << QFileInfo(QFile::decodeName(input.path.c_str())).fileName();
-  offer_->offer(tr("The program ended unexpectedly. The work on %1 as of %2 can be brought back.")
-                    .arg(names.size() > 2 ? tr("%1 and %2 more").arg(names[0]).arg(names.size() - 1)
-                                          : names.join(QStringLiteral(", ")),
-                         QLocale().toString(QFileInfo(offered_).lastModified(), QLocale::ShortFormat)),
-                tr("Bring back"), tr("Discard"));
-}
-
 void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
   if (paths.isEmpty()) return;
   require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()),
           "openFiles: one pose a file, or none");
-  if (paths.front().endsWith(kSessionEnding, Qt::CaseInsensitive)) return openSession(paths.front());
+  if (paths.front().endsWith(QLatin1String(kSessionEnding), Qt::CaseInsensitive))
+    return openSession(paths.front());
   std::vector<DeskFile> files;
   for (int i = 0; i < paths.size(); ++i) {
     DeskFile& file = files.emplace_back();
@@ -388,129 +357,6 @@ void MainWindow::showScans() {
 void MainWindow::showFrames() {
   frameDock_->show();
   frameDock_->raise();
-}
-
-bool MainWindow::arrangeViews() {
-  if (arriving_) {
-    const WindowState state = *std::exchange(arriving_, std::nullopt);
-    // The views get their size in the next turn of the event loop.
-    QTimer::singleShot(0, this, [this, state] { lookAs(state); });
-    return true;
-  }
-  return std::exchange(keepView_, false);
-}
-
-WindowState MainWindow::presentLook() const {
-  WindowState state;
-  state.options = bridge_->viewOptions();
-  state.cameras.emplace();
-  const auto views = views_->all();
-  for (size_t i = 0; i < views.size(); ++i) {
-    (*state.cameras)[i] = views[i]->cameraState();
-    if (views_->maximised() && views[i]->isVisibleTo(views_)) state.maximised = static_cast<int>(i);
-  }
-  for (const QAction* action : findChildren<QAction*>())
-    if (action->isCheckable() && action->objectName().startsWith(QLatin1String(kMarks)))
-      state.marks[action->objectName().toStdString()] = action->isChecked();
-  state.selection = selection_.get();
-  state.width = width();
-  state.height = height();
-  state.docks = saveState(kDocksVersion);
-  for (const QSplitter* splitter : views_->findChildren<QSplitter*>())
-    state.splitters.push_back(splitter->saveState());
-  return state;
-}
-
-void MainWindow::lookAs(const WindowState& state) {
-  if (state.width > 0 && !isMaximized() && !isFullScreen()) resize(state.width, state.height);
-  if (!state.docks.isEmpty()) restoreState(state.docks, kDocksVersion);
-  const auto splitters = views_->findChildren<QSplitter*>();
-  for (int i = 0; i < splitters.size() && i < static_cast<int>(state.splitters.size()); ++i)
-    splitters[i]->restoreState(state.splitters[static_cast<size_t>(i)]);
-  const auto views = views_->all();
-  if (views_->maximised()) views_->toggleMaximised(views[0]);
-  if (state.maximised >= 0) views_->toggleMaximised(views[static_cast<size_t>(state.maximised)]);
-  for (QAction* action : findChildren<QAction*>()) {
-    const auto mark = state.marks.find(action->objectName().toStdString());
-    if (mark == state.marks.end() || !action->isCheckable()) continue;
-    if (action->actionGroup()) {
-      // Colours come with the view's options; their entries only show them.
-      const bool acts = action->objectName().startsWith(QLatin1String("view_edges"));
-      if (mark->second && acts) action->trigger();
-      if (mark->second && !acts) action->setChecked(true);
-    } else {
-      action->setChecked(mark->second);
-    }
-  }
-  selection_.set(state.selection);
-  if (!state.cameras) return;
-  for (size_t i = 0; i < views.size(); ++i) views[i]->setCameraState((*state.cameras)[i]);
-}
-
-SessionFile MainWindow::session() const {
-  SessionFile session;
-  for (const DeskFile& file : desk_->files()) {
-    SessionInput& input = session.inputs.emplace_back();
-    input.path = native(QFileInfo(file.path).absoluteFilePath());
-    input.sha256 = file.sha256;
-    if (file.pose) input.pose = poseNumbers(*file.pose);
-    input.units = lengthUnitName(file.frame.unit);
-    input.axes = fileAxesName(file.frame.axes);
-    input.hidden = file.hidden;
-  }
-  session.params = params_->params();
-  session.window = windowJson(presentLook());
-  return session;
-}
-
-void MainWindow::openSession(const QString& path, bool recovered) {
-  const auto session = readSession(native(path));
-  if (!session) return showError(QString::fromStdString(session.error().message()));
-  std::vector<DeskFile> files;
-  for (const SessionInput& input : session->inputs) {
-    const auto unit = lengthUnitFromText(input.units);
-    const auto axes = fileAxesFromText(input.axes);
-    if (!unit || !axes)
-      return showError(
-          tr("%1: '%2', '%3' are no unit and axes; open its scans themselves")
-              .arg(path, QString::fromStdString(input.units), QString::fromStdString(input.axes)));
-    files.push_back({QFile::decodeName(input.path.c_str()),
-                     {*unit, *axes},
-                     sessionPose(input),
-                     input.hidden,
-                     input.sha256});
-  }
-  opening_ = Opening{path, session->params, windowFromJson(session->window), recovered};
-  ++requested_;
-  desk_->open(std::move(files));
-}
-
-void MainWindow::chooseSession() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open session"), session_->lastDirectory(),
-                                                    tr("Sessions (*.stratascope);;All files (*)"));
-  if (!path.isEmpty()) openSession(path);
-}
-
-void MainWindow::saveSessionTo() {
-  if (desk_->files().empty())
-    return note(tr("A session needs scan files; export the stream's cloud and open that."));
-  QString path = QFileDialog::getSaveFileName(
-      this, tr("Save session"), session_->lastDirectory() + QStringLiteral("/session") + kSessionEnding,
-      tr("Sessions (*.stratascope)"));
-  if (path.isEmpty()) return;
-  if (!path.endsWith(kSessionEnding)) path += kSessionEnding;
-  saveSession(path);
-}
-
-bool MainWindow::saveSession(const QString& path) {
-  const Status written = writeSession(session(), native(path));
-  if (!written) {
-    showError(QString::fromStdString(written.error().message()));
-    return false;
-  }
-  session_->addRecent({path});
-  note(tr("Saved %1").arg(path));
-  return true;
 }
 
 }  // namespace stratascope

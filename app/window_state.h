@@ -14,6 +14,8 @@
 
 namespace stratascope {
 
+inline constexpr const char* kSessionEnding = ".stratascope";  ///< of a session file's name
+
 /// What a session keeps of the window: how things are looked at, nothing that is computed. What a file does
 /// not say stays as it is.
 struct WindowState {

@@ -4,26 +4,18 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QPixmap>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "base/parallel_rows.h"
-#include "io/file_util.h"
+#include "widgets/chart_files.h"
 #include "widgets/theme.h"
 
 namespace stratascope {
-
-QString writeChartPicture(ChartView& view, const QString& path) {
-  const QPixmap picture = view.picture();
-  if (picture.save(path, path.endsWith(".png", Qt::CaseInsensitive) ? nullptr : "PNG")) return {};
-  return QObject::tr("%1: cannot be written; choose another folder").arg(path);
-}
 
 ChartPanel::ChartPanel(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
   logarithmic_[static_cast<size_t>(ChartKind::Angles)] = true;
@@ -135,28 +127,16 @@ void ChartPanel::askAndWrite(bool picture) {
 
 void ChartPanel::writeCsv(const QString& path) {
   if (!chart_) return;
-  writing_.run(
-      this,
-      [chart = *chart_, file = QFile::encodeName(path).toStdString()]() -> QString {
-        try {
-          const auto text = chartCsv(chart);
-          if (!text) return QString::fromStdString(text.error().message());
-          const Status written = writeFileAtomically(file, *text);
-          return written ? QString() : QString::fromStdString(written.error().message());
-        } catch (const std::exception& e) {
-          return QString::fromUtf8(e.what());
-        }
-      },
-      [this, path](const QString& error) {
-        if (error.isEmpty())
-          emit noted(tr("Wrote %1").arg(path));
-        else
-          emit failed(error);
-      });
+  writeTextFile(
+      writing_, this, path, [chart = *chart_] { return chartCsv(chart); },
+      [this, path](const QString& error) { tellWritten(path, error); });
 }
 
 void ChartPanel::writePicture(const QString& path) {
-  const QString error = writeChartPicture(*view_, path);
+  tellWritten(path, writeChartPicture(*view_, path));
+}
+
+void ChartPanel::tellWritten(const QString& path, const QString& error) {
   if (error.isEmpty())
     emit noted(tr("Wrote %1").arg(path));
   else

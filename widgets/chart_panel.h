@@ -42,6 +42,7 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
+  void tellWritten(const QString& path, const QString& error);
   void refresh();
   void show(ChartData chart);
   void setLogarithmic(bool on);
@@ -58,8 +59,5 @@ private:
   NewestJob job_;
   Background writing_;
 };
-
-/// Saves the picture; the message of what went wrong, or nothing.
-QString writeChartPicture(ChartView& view, const QString& path);
 
 }  // namespace stratascope

@@ -3,7 +3,6 @@
 #include "widgets/sweep_panel.h"
 
 #include <QComboBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -21,9 +20,8 @@
 #include <thread>
 
 #include "base/units.h"
-#include "io/file_util.h"
 #include "params/param_table.h"
-#include "widgets/chart_panel.h"
+#include "widgets/chart_files.h"
 #include "widgets/chart_scale.h"
 #include "widgets/number_spin.h"
 #include "widgets/param_row.h"
@@ -373,29 +371,21 @@ void SweepPanel::askAndWrite(bool picture) {
 
 void SweepPanel::writeCsv(const QString& path) {
   if (samples_.empty()) return;
-  background_.run(
-      this,
-      [snapshot = madeOf_, base = base_, plan = made_, samples = samples_,
-       file = QFile::encodeName(path).toStdString()]() -> QString {
-        try {
-          const auto lines = sweepProvenance(*snapshot, base, plan);
-          if (!lines) return QString::fromStdString(lines.error().message());
-          const Status written = writeFileAtomically(file, tableCsv(sweepTable(plan, samples), *lines));
-          return written ? QString() : QString::fromStdString(written.error().message());
-        } catch (const std::exception& e) {
-          return QString::fromUtf8(e.what());
-        }
+  writeTextFile(
+      background_, this, path,
+      [snapshot = madeOf_, base = base_, plan = made_, samples = samples_]() -> Expected<std::string> {
+        const auto lines = sweepProvenance(*snapshot, base, plan);
+        if (!lines) return lines.error();
+        return tableCsv(sweepTable(plan, samples), *lines);
       },
-      [this, path](const QString& error) {
-        if (error.isEmpty())
-          emit noted(tr("Wrote %1").arg(path));
-        else
-          emit failed(error);
-      });
+      [this, path](const QString& error) { tellWritten(path, error); });
 }
 
 void SweepPanel::writePicture(const QString& path) {
-  const QString error = writeChartPicture(*view_, path);
+  tellWritten(path, writeChartPicture(*view_, path));
+}
+
+void SweepPanel::tellWritten(const QString& path, const QString& error) {
   if (error.isEmpty())
     emit noted(tr("Wrote %1").arg(path));
   else

@@ -53,6 +53,7 @@ signals:
   void failed(const QString& message);
 
 private:
+  void tellWritten(const QString& path, const QString& error);
   void chooseKey();
   void add(const SweepSample& sample);
   void finish(const QString& error);

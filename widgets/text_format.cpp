@@ -3,6 +3,7 @@
 #include "widgets/text_format.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QLocale>
 #include <cmath>
 
@@ -30,6 +31,10 @@ QString secondsText(double seconds) {
 }
 QString tableText(const char* text) {
   return QCoreApplication::translate("Core", text);
+}
+
+std::string nativePath(const QString& path) {
+  return QFile::encodeName(path).toStdString();
 }
 
 }  // namespace stratascope

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 namespace stratascope {
 
@@ -13,5 +14,8 @@ QString degreesText(double degrees, int digits = 1);
 QString secondsText(double seconds);
 /// A word or sentence of core's tables (labels of parameters, stages, classes) in the user's language.
 QString tableText(const char* text);
+
+/// A path as the core takes it, in the file system's own bytes.
+std::string nativePath(const QString& path);
 
 }  // namespace stratascope

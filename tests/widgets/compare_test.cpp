@@ -37,6 +37,7 @@
 #include "widgets/plane_table.h"
 #include "widgets/probe_panel.h"
 #include "widgets/view_area.h"
+#include "window_support.h"
 
 namespace stratascope {
 namespace {
@@ -53,16 +54,7 @@ QString furnishedRoom(const QString& folder) {
   return path;
 }
 
-template <class Condition>
-bool waitFor(const Condition& condition) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > 60000) return false;
-    QTest::qWait(10);
-  }
-  return true;
-}
+using test::waitFor;
 
 class CompareWindow : public testing::Test {
 protected:

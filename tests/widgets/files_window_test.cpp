@@ -37,6 +37,7 @@
 #include "widgets/param_history.h"
 #include "widgets/param_panel.h"
 #include "widgets/view_area.h"
+#include "window_support.h"
 
 namespace stratascope {
 namespace {
@@ -64,15 +65,10 @@ QString cornerFile(const QString& path, double scale = 1, double shift = 0) {
   return path;
 }
 
+// Real scans take longer.
 template <class Condition>
 bool waitFor(const Condition& condition) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > 120000) return false;
-    QTest::qWait(10);
-  }
-  return true;
+  return test::waitFor(condition, 120000);
 }
 
 bool settle(MainWindow& window) {

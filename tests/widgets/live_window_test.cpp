@@ -29,22 +29,14 @@
 #include "widgets/param_panel.h"
 #include "widgets/stream_counts.h"
 #include "widgets/view_area.h"
+#include "window_support.h"
 
 namespace stratascope {
 namespace {
 
 constexpr int kLines = 130, kBeams = 121;
 
-template <class Condition>
-bool waitFor(const Condition& condition) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > 60000) return false;
-    QTest::qWait(10);
-  }
-  return true;
-}
+using test::waitFor;
 
 class LiveWindow : public testing::Test {
 protected:

@@ -23,13 +23,13 @@ inline constexpr double kAhead = 3, kBehind = -1, kLeft = 1.5, kRight = -1.5, kF
 /// Writes a scan of the room and returns its path.
 QString roomFile(const QString& folder);
 
-/// What a person would wait for; fails after a minute.
+/// What a person would wait for; fails after a minute, or as long as is said.
 template <class Condition>
-bool waitFor(const Condition& condition) {
+bool waitFor(const Condition& condition, int mostMs = 60000) {
   QElapsedTimer timer;
   timer.start();
   while (!condition()) {
-    if (timer.elapsed() > 60000) return false;
+    if (timer.elapsed() > mostMs) return false;
     QTest::qWait(10);
   }
   return true;
