@@ -54,10 +54,16 @@ LatticeSteps measureLatticeSteps(const PointImage& image, const Execution& execu
   LatticeSteps steps;
   steps.tiles_ = Grid<LatticeSteps::Step>((lines + kTile - 1) / kTile, (beams + kTile - 1) / kTile);
   const Eigen::Vector3f sensor = image.sensor.cast<float>();
-  auto angle = [&](GridIndex a, GridIndex b) {
+  // The chord between two directions; the angle follows from the median of the chords, for it rises with
+  // them.
+  auto chord = [&](GridIndex a, GridIndex b) {
     const Eigen::Vector3f u = (image.points(a) - sensor) / image.range(a),
                           v = (image.points(b) - sensor) / image.range(b);
-    return 2 * std::asin(std::min(1.0f, 0.5f * (u - v).norm()));
+    return (u - v).norm();
+  };
+  auto medianAngle = [](std::vector<float>& chords) {
+    const float median = medianOrNegative(chords);
+    return median < 0 ? median : 2 * std::asin(std::min(1.0f, 0.5f * median));
   };
   parallelRows(
       steps.tiles_.rows(), execution,
@@ -70,11 +76,11 @@ LatticeSteps measureLatticeSteps(const PointImage& image, const Execution& execu
               for (int j = tj * kTile; j < std::min(beams, (tj + 1) * kTile); j += 2) {
                 if (std::isnan(image.range({i, j}))) continue;
                 if (i + 1 < lines && !std::isnan(image.range({i + 1, j})))
-                  down.push_back(angle({i, j}, {i + 1, j}));
+                  down.push_back(chord({i, j}, {i + 1, j}));
                 if (j + 1 < beams && !std::isnan(image.range({i, j + 1})))
-                  across.push_back(angle({i, j}, {i, j + 1}));
+                  across.push_back(chord({i, j}, {i, j + 1}));
               }
-            steps.tiles_({ti, tj}) = {medianOrNegative(down), medianOrNegative(across)};
+            steps.tiles_({ti, tj}) = {medianAngle(down), medianAngle(across)};
           }
       },
       1);

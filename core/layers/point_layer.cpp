@@ -52,8 +52,17 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
   size_t kept = 0;
   for (float r : image.range.values()) kept += std::isnan(r) ? 0 : 1;
   image.ownBody = image.range.size() - scan.lattice->missingCount() - kept;
-  image.noise = estimateRangeNoise(image, measured, execution);
-  image.steps = measureLatticeSteps(image, execution);
+  // About the same work each, and independent of each other.
+  const Execution alone{1, execution.stop};
+  parallelRows(
+      2, execution,
+      [&](int begin, int) {
+        if (begin == 0)
+          image.noise = estimateRangeNoise(image, measured, alone);
+        else
+          image.steps = measureLatticeSteps(image, alone);
+      },
+      1);
   return image;
 }
 

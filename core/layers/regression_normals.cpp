@@ -18,7 +18,9 @@ namespace stratascope {
 namespace {
 
 constexpr int kMostHalf = 128;  // largest half-size of a window in neurons; bounds the lines a band must know
-constexpr int kBandLines = 1024;  // lines that share one summed-area table
+constexpr int kShare = 3;       // neurons a side that share their largest window
+constexpr double kCloseShare = 0.4;  // of ε1: how far from its window's middle a neuron may lie
+constexpr int kBandLines = 1024;     // lines that share one summed-area table
 
 /// A window's half-sizes as shares of the largest one's.
 struct Shape {
@@ -65,6 +67,14 @@ struct LocalPlane {
 constexpr double kVarianceMargin = 1.5;  // noise differs from place to place; structure() is the sharp test
 constexpr double kOwnSigmas = 3.5;       // the neuron must lie on its own plane
 
+/// Squared range error of a neuron against a plane, and the largest that the noise explains; both times the
+/// square of the same distance, which spares the divisions.
+struct Misfit {
+  double error2 = 1, explained = 1;
+  bool isNoise() const { return error2 < explained; }
+  bool operator<(const Misfit& o) const { return error2 * o.explained < o.error2 * explained; }
+};
+
 class Regression {
 public:
   Regression(const PointImage& image, const NormalParams& params, NormalImage& result)
@@ -95,40 +105,46 @@ private:
   bool hasReturn(GridIndex at) const { return image_.range(at) == image_.range(at); }
   Eigen::Vector3d q(GridIndex at) const { return image_.points(at).cast<double>() - image_.sensor; }
 
-  // The largest window, one for a neuron and the eight around it that lie close to it: theirs would hardly
-  // differ.
+  // The largest window, one for the neurons of a small block that lie close to its middle: theirs would
+  // hardly differ.
   void shareLargest(const Execution& execution) {
     eachBand(execution, [&](int first, int end, const WindowSums& sums) {
-      parallelRows((end - first + 2) / 3, execution,
+      parallelRows((end - first + kShare - 1) / kShare, execution,
                    [&](int begin, int stop) {
-                     for (int i = first + 3 * begin; i < std::min(end, first + 3 * stop); i += 3)
-                       for (int j = 0; j < image_.range.cols(); j += 3) shareLargest({i, j}, end, sums);
+                     for (int i = first + kShare * begin; i < std::min(end, first + kShare * stop);
+                          i += kShare)
+                       for (int j = 0; j < image_.range.cols(); j += kShare) shareLargest({i, j}, end, sums);
                    },
                    8);
     });
   }
 
   void shareLargest(GridIndex corner, int endLine, const WindowSums& sums) {
-    const double close = 0.25 * params_.epsilon1;  // metres: a window moved by a quarter of its reach
+    const auto close = static_cast<float>(kCloseShare * params_.epsilon1);
+    const GridIndex end{std::min(endLine, corner.row + kShare),
+                        std::min(image_.range.cols(), corner.col + kShare)};
     GridIndex leader{-1, -1};
     std::optional<Fit> fit;
-    // The middle one first. Whoever is not close to the leader so far leads those after it.
-    static constexpr std::array<GridIndex, 9> kOrder = {
-        {{1, 1}, {0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}};
-    for (const GridIndex& step : kOrder) {
-      const GridIndex at{corner.row + step.row, corner.col + step.col};
-      if (at.row >= endLine || at.col >= image_.range.cols() || !hasReturn(at)) continue;
+    auto visit = [&](GridIndex at) {
+      const size_t o = image_.range.offset(at);
+      if (!(image_.range[o] > 0)) return;
       const bool follows =
-          leader.row >= 0 && (image_.points(at) - image_.points(leader)).squaredNorm() < close * close;
+          leader.row >= 0 && (image_.points[o] - image_.points(leader)).squaredNorm() < close * close;
       if (!follows) {
         leader = at;
-        half_(at) = largestHalf(at);
+        half_[o] = largestHalf(at);
         fit = fitWindow(at, {1, 1}, sums);
       }
-      const bool fits = fit && ownDisagreement(beam(at), fit->local) < 1;
-      if (follows) half_(at) = fits ? half_(leader) : largestHalf(at);
+      const bool fits = fit && misfit(beam(at), fit->local).isNoise();
+      if (follows) half_[o] = fits ? half_(leader) : largestHalf(at);
       if (fits) take(at, {1, 1}, fit->local);
-    }
+    };
+    // The middle one first. Whoever is not close to the leader so far leads those after it.
+    const GridIndex middle{corner.row + kShare / 2, corner.col + kShare / 2};
+    if (middle.row < end.row && middle.col < end.col) visit(middle);
+    for (int i = corner.row; i < end.row; ++i)
+      for (int j = corner.col; j < end.col; ++j)
+        if (GridIndex{i, j} != middle) visit({i, j});
   }
 
   // Neurons without a normal; those whose neighbours lie beyond ε1 never get one.
@@ -168,7 +184,8 @@ private:
           for (int s = 0; s < level.count; ++s) {
             const std::optional<Fit>& fit = fits[static_cast<size_t>(s)];
             if (!fit) continue;
-            const double disagreement = std::max(fit->disagreement, ownDisagreement(own, fit->local));
+            const Misfit m = misfit(own, fit->local);
+            const double disagreement = std::max(fit->disagreement, m.error2 / m.explained);
             if (disagreement >= best) continue;
             best = disagreement;
             take(at, level.shapes[static_cast<size_t>(s)], fit->local);
@@ -219,12 +236,11 @@ private:
     struct Offer {
       const Regression& self;
       Beam own;
-      double best = 1;
+      Misfit best{};
       GridIndex from{-1, -1};
       void operator()(GridIndex to) {
-        const double disagreement =
-            ownDisagreement(own, {self.result_.normals(to), self.result_.distance(to)});
-        if (disagreement < best) best = disagreement, from = to;
+        const Misfit m = misfit(own, {self.result_.normals(to), self.result_.distance(to)});
+        if (m < best) best = m, from = to;
       }
     };
     std::vector<std::uint32_t> from(open.size(), kNone);
@@ -358,13 +374,14 @@ private:
     return {q(at), r, image_.noise.varianceAt(r)};
   }
 
-  // Squared range error of a neuron against a plane, over the largest that the noise explains.
-  static double ownDisagreement(const Beam& beam, const LocalPlane& plane) {
+  /// Infinite for a plane that the beam does not meet.
+  static Misfit misfit(const Beam& beam, const LocalPlane& plane) {
     const double along = -plane.normal.cast<double>().dot(beam.q);
-    if (!(along > 0)) return std::numeric_limits<double>::infinity();
-    const double error = beam.range * (plane.distance / along - 1),
-                 cosine = std::max(0.05, along / beam.range), rough = RangeNoise::kRoughness / cosine;
-    return error * error / (kOwnSigmas * kOwnSigmas * (beam.variance + rough * rough));
+    if (!(along > 0)) return {1, 0};
+    const double error = beam.range * (plane.distance - along),
+                 rough = RangeNoise::kRoughness *
+                         std::min(beam.range, 20 * along);  // not below 3° to the surface
+    return {error * error, kOwnSigmas * kOwnSigmas * (beam.variance * along * along + rough * rough)};
   }
 
   // Noise leaves no pattern; a crease or a bend does. Mean residuals of 3 × 3 parts of the window against
@@ -399,8 +416,8 @@ private:
     return freedom < 1 ? 0 : chiSquare / kChiSquare99[static_cast<size_t>(freedom)];
   }
 
-  static constexpr double kWithinNoise = 0.25;  // of a range error: nothing nearer would say more
-  static constexpr int kSpread = 3;             // steps
+  static constexpr Misfit kWithinNoise{1, 4};  // nothing nearer would say more
+  static constexpr int kSpread = 3;            // steps
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::array<double, 7> kChiSquare99 = {0, 6.63, 9.21, 11.34, 13.28, 15.09, 16.81};
 

@@ -94,14 +94,10 @@ bool known(const Eigen::Vector3f& n) {
 
 class EdgeRule {
 public:
-  EdgeRule(const PointImage& points, const NormalImage& normals, const ClassParams& params,
-           const Execution& execution)
+  EdgeRule(const PointImage& points, const NormalImage& normals, const ClassParams& params)
       : points_(points),
         normals_(normals),
-        cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))),
-        spread_(feedForward<float>(
-            points.range.rows(), points.range.cols(), [this](GridIndex at) { return spreadAt(at); },
-            execution)) {
+        cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))) {
     for (size_t k = 0; k < offsets_.size(); ++k)
       offsets_[k] = static_cast<std::ptrdiff_t>(kLatticeDirections[k].row) * points.range.cols() +
                     kLatticeDirections[k].col;
@@ -111,26 +107,25 @@ public:
   SurfaceClass operator()(GridIndex at) const {
     if (!valid(at)) return SurfaceClass::Unknown;
     float opening = 0;
-    const LatticeSteps::Step step = points_.steps.at(at);
-    const float diagonal = std::sqrt(step.line * step.line + step.beam * step.beam);
-    const auto noise = static_cast<float>(6 * points_.noise.sigmaAt(points_.range(at)));
     const size_t o = points_.range.offset(at);
     const bool atBorder = at.row == 0 || at.col == 0 || at.row + 1 == points_.range.rows() ||
                           at.col + 1 == points_.range.cols();
     const float range = points_.range[o];
+    const float noise2 = largestNoise2(range);
     const Eigen::Vector3f normal = normals_.normals[o];
     for (size_t k = 0; k < kLatticeDirections.size(); ++k) {
       const GridIndex d = kLatticeDirections[k], to{at.row + d.row, at.col + d.col};
       if (atBorder && !points_.range.contains(to)) continue;
       const size_t n = o + static_cast<size_t>(offsets_[k]);
       // Ranges within the noise of each other cannot be a jump; most are.
-      if (std::abs(range - points_.range[n]) > noise) {  // false where nothing came back
-        const float angle = d.row == 0 ? step.beam : d.col == 0 ? step.line : diagonal;
-        if (isJump(at, to, angle, noise)) return SurfaceClass::JumpEdge;
-      }
+      const float deeper = range - points_.range[n];
+      if (deeper * deeper > noise2 && isJump(at, to, d, std::sqrt(noise2)))  // false where nothing came back
+        return SurfaceClass::JumpEdge;
       if (normal.dot(normals_.normals[n]) < cosParallel_) opening += openingBetween(at, to, d);
     }
-    if (opening != 0 || known(normals_.normals(at))) return creaseOf(opening, 0.5f * noise);
+    if (opening == 0 && known(normal)) return SurfaceClass::Unknown;
+    const float least = 0.5f * std::sqrt(noise2);
+    if (known(normal)) return creaseOf(opening, least);
     // No window fits a neuron right on a crease: look at the surfaces on both sides of it.
     for (size_t d = 0; d < 4; ++d)
       for (int reach : {1, 2}) {
@@ -141,10 +136,12 @@ public:
         if (!valid(a) || !valid(b)) continue;
         opening += openingBetween(a, b, {-kLatticeDirections[d].row, -kLatticeDirections[d].col});
       }
-    return creaseOf(opening, 0.5f * noise);
+    return creaseOf(opening, least);
   }
 
 private:
+  // Square of the largest difference in range that noise explains.
+  float largestNoise2(float range) const { return static_cast<float>(36 * points_.noise.varianceAt(range)); }
   bool valid(GridIndex i) const { return points_.range.contains(i) && points_.range(i) == points_.range(i); }
 
   // Length on the surface that a neuron sees under one radian; without a normal, as if it were seen at 75°.
@@ -157,8 +154,12 @@ private:
   }
 
   // The depth breaks off where two neighbours are farther apart than both surfaces together account for.
-  bool isJump(GridIndex a, GridIndex b, float angle, float noise) const {
-    const float allowed = 2 * angle * (spread_(a) + spread_(b)) + noise;
+  bool isJump(GridIndex a, GridIndex b, GridIndex direction, float noise) const {
+    const LatticeSteps::Step step = points_.steps.at(a);
+    const float angle = direction.row == 0   ? step.beam
+                        : direction.col == 0 ? step.line
+                                             : std::sqrt(step.line * step.line + step.beam * step.beam);
+    const float allowed = 2 * angle * (spreadAt(a) + spreadAt(b)) + noise;
     return (points_.points(a) - points_.points(b)).squaredNorm() > allowed * allowed;
   }
 
@@ -193,33 +194,58 @@ private:
   const NormalImage& normals_;
   float cosParallel_;
   std::array<std::ptrdiff_t, 8> offsets_{};  // of the lattice directions, in neurons
-  Grid<float> spread_;
 };
 
+constexpr int kCleanSteps = 3;  // strays up to a few neurons vanish, straight borders do not move
+
 // One majority network a surface class, run on the image of that class; the class whose network answers most
-// strongly wins.
-void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
-  constexpr int kSteps = 3;  // strays up to a few neurons vanish, straight borders do not move
-  const Grid<SurfaceClass> before = classes;
-  const Grid<double> silent(classes.rows(), classes.cols(), 0.0);
-  Grid<double> strongest = silent, image = silent;
-  TemplateNetwork network(template_library::majority(), image, silent, 0);
-  for (int c = static_cast<int>(SurfaceClass::Facing); c <= static_cast<int>(SurfaceClass::Oblique); ++c) {
-    const auto wanted = static_cast<SurfaceClass>(c);
-    bool any = false;
-    for (size_t o = 0; o < image.size(); ++o) {
-      image[o] = !isSurface(before[o]) ? 0 : before[o] == wanted ? 1 : -1;
-      any = any || image[o] > 0;
-    }
-    if (!any) continue;
+// strongly wins. A tile of the lattice with what its neurons can hear of: as many neurons around it as there
+// are steps.
+void cleanTile(const Grid<SurfaceClass>& before, GridIndex from, GridIndex to, Grid<SurfaceClass>& classes) {
+  const GridIndex first{std::max(0, from.row - kCleanSteps), std::max(0, from.col - kCleanSteps)},
+      end{std::min(before.rows(), to.row + kCleanSteps), std::min(before.cols(), to.col + kCleanSteps)};
+  std::array<int, kSurfaceClassCount> count{};
+  for (int i = first.row; i < end.row; ++i)
+    for (const SurfaceClass c :
+         before.row(i).subspan(static_cast<size_t>(first.col), static_cast<size_t>(end.col - first.col)))
+      ++count[static_cast<size_t>(c)];
+  std::vector<SurfaceClass> present;
+  for (size_t c = 0; c < count.size(); ++c)
+    if (count[c] > 0 && isSurface(static_cast<SurfaceClass>(c)))
+      present.push_back(static_cast<SurfaceClass>(c));
+  if (present.size() < 2) return;  // nobody to be outvoted by
+
+  Grid<double> image(end.row - first.row, end.col - first.col);
+  Grid<double> strongest = image;
+  TemplateNetwork network(template_library::majority(), image, image, 0);
+  for (const SurfaceClass wanted : present) {
+    for (int i = first.row; i < end.row; ++i)
+      for (int j = first.col; j < end.col; ++j) {
+        const SurfaceClass c = before({i, j});
+        image({i - first.row, j - first.col}) = !isSurface(c) ? 0 : c == wanted ? 1 : -1;
+      }
     network.restart(image);
-    for (int t = 0; t < kSteps; ++t) network.stepDiscrete(execution);
-    for (size_t o = 0; o < image.size(); ++o) {
-      if (!isSurface(before[o])) continue;
-      const double strength = network.state()[o];
-      if (strength > strongest[o]) strongest[o] = strength, classes[o] = wanted;
-    }
+    for (int t = 0; t < kCleanSteps; ++t) network.stepDiscrete({1, {}});
+    for (int i = from.row; i < to.row; ++i)
+      for (int j = from.col; j < to.col; ++j) {
+        if (!isSurface(before({i, j}))) continue;
+        const GridIndex here{i - first.row, j - first.col};
+        const double strength = network.state()(here);
+        if (strength > strongest(here)) strongest(here) = strength, classes({i, j}) = wanted;
+      }
   }
+}
+
+void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
+  constexpr int kTile = 32;
+  const Grid<SurfaceClass> before = classes;
+  parallelRows(
+      classes.rows(), execution,
+      [&](int begin, int end) {
+        for (int j = 0; j < classes.cols(); j += kTile)
+          cleanTile(before, {begin, j}, {end, std::min(classes.cols(), j + kTile)}, classes);
+      },
+      kTile);
 }
 
 }  // namespace
@@ -231,7 +257,7 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
                                           : std::atan2(points.viewing.y(), points.viewing.x());
   const Eigen::Vector3d facing(std::cos(image.wallDirection), std::sin(image.wallDirection), 0);
   const double least = std::cos(degToRad(params.classToleranceDeg));
-  const EdgeRule edge(points, normals, params, execution);
+  const EdgeRule edge(points, normals, params);
   image.classes = feedForward<SurfaceClass>(
       points.range.rows(), points.range.cols(),
       [&](GridIndex at) {

@@ -10,8 +10,11 @@ void WindowSums::build(const PointImage& image, int firstLine, int endLine, cons
   first_ = firstLine, end_ = endLine;
   const int beams = image.points.cols(), lines = endLine - firstLine;
   stride_ = static_cast<size_t>(beams) + 1;
-  table_.resize(static_cast<size_t>(lines + 1) * stride_);
-  std::fill(table_.begin(), table_.begin() + static_cast<std::ptrdiff_t>(stride_), Entry{});
+  if (const size_t size = static_cast<size_t>(lines + 1) * stride_; size > capacity_) {
+    table_ = std::make_unique_for_overwrite<Entry[]>(size);  // all of it is written below
+    capacity_ = size;
+  }
+  std::fill_n(table_.get(), stride_, Entry{});
   // Along the lines first, then down the beams: both passes are independent of the number of threads.
   parallelRows(lines, execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <vector>
+#include <memory>
 
 #include "base/parallel_rows.h"
 #include "layers/products.h"
@@ -49,7 +49,8 @@ private:
   }
   int first_ = 0, end_ = 0;
   size_t stride_ = 0;
-  std::vector<Entry> table_;  // one row and one column of zeros before the first
+  size_t capacity_ = 0;
+  std::unique_ptr<Entry[]> table_;  // one row and one column of zeros before the first
 };
 
 }  // namespace stratascope

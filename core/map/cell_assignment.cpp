@@ -8,10 +8,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace stratascope {
 namespace {
+
+constexpr std::uint32_t kNoCell = 0xffffffffu;  // of a point that is missing
 
 /// A float's bits as a number that rises with it.
 std::uint32_t risingBits(float z) {
@@ -21,25 +24,6 @@ std::uint32_t risingBits(float z) {
 
 float fromRisingBits(std::uint32_t bits) {
   return std::bit_cast<float>((bits & 0x80000000u) ? bits & 0x7fffffffu : ~bits);
-}
-
-/// Stable sort by the upper 32 bits, 11 at a time: linear, and what stands in the lower bits keeps its order.
-void sortByUpperBits(std::vector<std::uint64_t>& keys) {
-  constexpr int kDigit = 11;
-  constexpr std::uint64_t kMask = (1u << kDigit) - 1;
-  std::vector<std::uint64_t> other(keys.size());
-  for (int shift = 32; shift < 64; shift += kDigit) {
-    std::array<std::uint32_t, kMask + 1> place{};
-    for (const std::uint64_t key : keys) ++place[(key >> shift) & kMask];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& p : place) {
-      const std::uint32_t count = p;
-      p = sum;
-      sum += count;
-    }
-    for (const std::uint64_t key : keys) other[place[(key >> shift) & kMask]++] = key;
-    keys.swap(other);
-  }
 }
 
 std::string number(double value, int digits) {
@@ -62,24 +46,63 @@ double cellThatFits(double width, double depth) {
   return 1e40;
 }
 
-/// Bounds of the cells in double: coordinates may lie beyond what a cell number can hold.
+/// False for a missing point: 0 · NaN and 0 · ∞ are no 0.
+bool isFinite(const Eigen::Vector3f& p) {
+  return 0 * p.x() + 0 * p.y() + 0 * p.z() == 0;
+}
+
 struct Bounds {
-  double minX = std::numeric_limits<double>::infinity(), maxX = -minX, minY = minX, maxY = -minX;
+  float minX = std::numeric_limits<float>::infinity(), maxX = -minX, minY = minX, maxY = -minX;
+  size_t count = 0;  // of points
   void add(const Eigen::Vector3f& p) {
-    minX = std::min<double>(minX, p.x());
-    maxX = std::max<double>(maxX, p.x());
-    minY = std::min<double>(minY, p.y());
-    maxY = std::max<double>(maxY, p.y());
+    minX = std::min(minX, p.x()), maxX = std::max(maxX, p.x());
+    minY = std::min(minY, p.y()), maxY = std::max(maxY, p.y());
+    ++count;
+  }
+  void add(const Bounds& b) {
+    minX = std::min(minX, b.minX), maxX = std::max(maxX, b.maxX);
+    minY = std::min(minY, b.minY), maxY = std::max(maxY, b.maxY);
+    count += b.count;
   }
 };
 
+/// Some points of an input, and the number of the first.
+struct Part {
+  std::span<const Eigen::Vector3f> points;
+  size_t first;
+};
+
+std::vector<Part> partsOf(std::span<const MapInput> inputs) {
+  constexpr size_t kPoints = 8192;
+  std::vector<Part> parts;
+  size_t first = 0;
+  for (const MapInput& input : inputs)
+    for (size_t begin = 0; begin < input.points.size(); begin += kPoints) {
+      const size_t count = std::min(kPoints, input.points.size() - begin);
+      parts.push_back({input.points.subspan(begin, count), first});
+      first += count;
+    }
+  return parts;
+}
+
+template <class Body>
+void eachPart(const std::vector<Part>& parts, const Execution& execution, const Body& body) {
+  parallelRows(
+      static_cast<int>(parts.size()), execution,
+      [&](int begin, int end) {
+        for (auto k = static_cast<size_t>(begin); k < static_cast<size_t>(end); ++k) body(parts[k], k);
+      },
+      1);
+}
+
 Expected<MapFrame> windowOf(const Bounds& b, double cell) {
+  // in double: coordinates may lie beyond what a cell number can hold
   const double kMin = std::floor(b.minX / cell), kMax = std::floor(b.maxX / cell);
   const double lMin = std::floor(b.minY / cell), lMax = std::floor(b.maxY / cell);
   const double columns = kMax - kMin + 1, rows = lMax - lMin + 1;
   const double far = std::max({-kMin, kMax, -lMin, lMax});
   if (far >= 2e9 || columns * rows > static_cast<double>(kMaxMapCells)) {
-    const double width = b.maxX - b.minX, depth = b.maxY - b.minY;
+    const double width = double(b.maxX) - b.minX, depth = double(b.maxY) - b.minY;
     double fitting = cellThatFits(width, depth);
     while (far * cell / fitting >= 2e9) fitting *= 10;
     return Error{"", "map",
@@ -106,52 +129,64 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
   if (total >= std::numeric_limits<std::uint32_t>::max())
     return Error{"", "map", "more than 4294967294 points", "process the scans in parts and merge their maps"};
 
+  const std::vector<Part> parts = partsOf(inputs);
+  std::vector<Bounds> boundsOf(parts.size());
+  eachPart(parts, execution, [&](const Part& part, size_t index) {
+    Bounds bounds;
+    for (const Eigen::Vector3f& p : part.points)
+      if (isFinite(p)) bounds.add(p);
+    boundsOf[index] = bounds;
+  });
   Bounds bounds;
-  size_t valid = 0;
-  for (const MapInput& input : inputs)
-    for (const Eigen::Vector3f& p : input.points)
-      if (p.allFinite()) bounds.add(p), ++valid;
-  if (valid == 0) return Error{"", "map", "no valid point", "check the scan and the range limits"};
-  throwIfStopped(execution);
+  for (const Bounds& b : boundsOf) bounds.add(b);
+  if (bounds.count == 0) return Error{"", "map", "no valid point", "check the scan and the range limits"};
 
   CellAssignment result;
   Expected<MapFrame> window = windowOf(bounds, params.cell);
   if (!window) return window.error();
   const MapFrame frame = result.frame = *window;
+  const auto cellOf = std::make_unique_for_overwrite<std::uint32_t[]>(total);
+  eachPart(parts, execution, [&](const Part& part, size_t) {
+    for (size_t k = 0; k < part.points.size(); ++k)
+      if (const Eigen::Vector3f& p = part.points[k]; isFinite(p))
+        cellOf[part.first + k] =
+            static_cast<std::uint32_t>(frame.offset(frame.cellAt(p.x(), p.y())));  // Eq. (4)
+      else
+        cellOf[part.first + k] = kNoCell;
+  });
 
-  // By height first, then by cell; both stable, so equal heights stay in the order of their points.
-  std::vector<std::uint64_t> keys;
-  keys.reserve(valid);
-  std::vector<std::uint32_t> cellOf(total);
-  result.first.assign(frame.size() + 1, 0);
-  std::uint32_t source = 0;
-  for (const MapInput& input : inputs)
-    for (const Eigen::Vector3f& p : input.points) {
-      if (p.allFinite()) {
-        // Eq. (4); + 0 turns −0 into 0, so that equal heights are equal bits
-        const size_t offset = frame.offset(frame.cellAt(p.x(), p.y()));
-        cellOf[source] = static_cast<std::uint32_t>(offset);
-        ++result.first[offset + 1];
-        keys.push_back(std::uint64_t{risingBits(p.z() + 0.0f)} << 32 | source);
-      }
-      ++source;
+  // Into the cells in the order of the points, then each cell by height; equal heights keep their order.
+  std::vector<std::uint32_t>& first = result.first;
+  first.assign(frame.size() + 1, 0);
+  for (size_t k = 0; k < total; ++k)
+    if (cellOf[k] != kNoCell) ++first[cellOf[k] + 1];
+  for (size_t o = 1; o < first.size(); ++o) first[o] += first[o - 1];
+  throwIfStopped(execution);
+  const auto keys = std::make_unique_for_overwrite<std::uint64_t[]>(bounds.count);
+  for (const Part& part : parts)
+    for (size_t k = 0; k < part.points.size(); ++k) {
+      const size_t source = part.first + k;
+      if (cellOf[source] == kNoCell) continue;
+      // + 0 turns −0 into 0, so that equal heights are equal bits
+      keys[first[cellOf[source]]++] = std::uint64_t{risingBits(part.points[k].z() + 0.0f)} << 32 | source;
     }
-  throwIfStopped(execution);
-  sortByUpperBits(keys);
-  throwIfStopped(execution);
-
-  for (size_t o = 1; o < result.first.size(); ++o) result.first[o] += result.first[o - 1];
-  result.heights.resize(valid);
-  result.source.resize(valid);
-  for (const std::uint64_t key : keys) {
-    const auto s = static_cast<std::uint32_t>(key);
-    const std::uint32_t at = result.first[cellOf[s]]++;
-    result.heights[at] = fromRisingBits(static_cast<std::uint32_t>(key >> 32));
-    result.source[at] = s;
-  }
   // every first[o] has run to the end of its cell, which is the beginning of the next
-  std::copy_backward(result.first.begin(), result.first.end() - 1, result.first.end());
-  result.first[0] = 0;
+  std::copy_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
+  result.heights.resize(bounds.count);
+  result.source.resize(bounds.count);
+  constexpr int kCells = 1024;
+  parallelRows(
+      static_cast<int>(frame.size()), execution,
+      [&](int begin, int end) {
+        const auto key = [&](int cell) { return keys.get() + first[static_cast<size_t>(cell)]; };
+        for (int cell = begin; cell < end; ++cell) std::sort(key(cell), key(cell + 1));
+        for (size_t k = first[static_cast<size_t>(begin)]; k < first[static_cast<size_t>(end)]; ++k) {
+          result.heights[k] = fromRisingBits(static_cast<std::uint32_t>(keys[k] >> 32));
+          result.source[k] = static_cast<std::uint32_t>(keys[k]);
+        }
+      },
+      kCells);
   return result;
 }
 

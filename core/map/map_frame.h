@@ -25,9 +25,7 @@ struct MapFrame {
   int columns = 0;  ///< number of k
   int rows = 0;     ///< number of l
 
-  CellIndex cellAt(double x, double y) const {
-    return {static_cast<std::int32_t>(std::floor(x / cell)), static_cast<std::int32_t>(std::floor(y / cell))};
-  }
+  CellIndex cellAt(double x, double y) const { return {floorOf(x / cell), floorOf(y / cell)}; }
   Eigen::Vector2d centre(CellIndex c) const { return {(c.k + 0.5) * cell, (c.l + 0.5) * cell}; }
   Eigen::Vector2d lowerCorner(CellIndex c) const { return {c.k * cell, c.l * cell}; }
 
@@ -45,6 +43,13 @@ struct MapFrame {
             lMin + static_cast<std::int32_t>(offset % static_cast<size_t>(rows))};
   }
   bool operator==(const MapFrame&) const = default;
+
+private:
+  /// std::floor of a number that fits: a call where the processor's rounding cannot be counted on.
+  static std::int32_t floorOf(double value) {
+    const auto truncated = static_cast<std::int32_t>(value);
+    return truncated - (truncated > value ? 1 : 0);
+  }
 };
 
 }  // namespace stratascope

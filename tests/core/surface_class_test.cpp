@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "base/units.h"
 #include "layers/normals.h"
@@ -227,6 +229,55 @@ TEST(SurfaceClass, CleaningRemovesStraysAndLeavesBordersEdgesAndGaps) {
   EXPECT_EQ(clean({5, 5}), SurfaceClass::Facing);
   EXPECT_EQ(clean({5, 45}), SurfaceClass::Oblique);
   EXPECT_EQ(clean(gap), SurfaceClass::Unknown);
+}
+
+// The slow way to clean: every class over the whole lattice, each neuron twice and its four neighbours once.
+Grid<SurfaceClass> cleanedAsAWhole(const Grid<SurfaceClass>& raw) {
+  const auto isSurface = [](SurfaceClass c) {
+    return c >= SurfaceClass::Facing && c <= SurfaceClass::Oblique;
+  };
+  Grid<SurfaceClass> cleaned = raw;
+  Grid<int> strongest(raw.rows(), raw.cols(), 0);
+  for (const SurfaceClass wanted :
+       {SurfaceClass::Facing, SurfaceClass::Side, SurfaceClass::Horizontal, SurfaceClass::Oblique}) {
+    Grid<int> state(raw.rows(), raw.cols());
+    for (size_t o = 0; o < raw.size(); ++o) state[o] = !isSurface(raw[o]) ? 0 : raw[o] == wanted ? 1 : -1;
+    for (int t = 0; t < 3; ++t) {
+      const Grid<int> before = state;
+      for (int i = 0; i < raw.rows(); ++i)
+        for (int j = 0; j < raw.cols(); ++j) {
+          int sum = 0;
+          for (const GridIndex at : {GridIndex{i, j}, {i, j}, {i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}})
+            if (raw.contains(at)) sum += std::clamp(before(at), -1, 1);
+          state({i, j}) = sum;
+        }
+    }
+    for (size_t o = 0; o < raw.size(); ++o)
+      if (isSurface(raw[o]) && state[o] > strongest[o]) strongest[o] = state[o], cleaned[o] = wanted;
+  }
+  return cleaned;
+}
+
+TEST(SurfaceClass, CleaningByTilesIsCleaningTheWholeLattice) {
+  const Classified c = look(plainRoom());
+  // Classes at random in blobs and specks, so that borders run through every tile's border.
+  std::mt19937 random(17);
+  NormalImage normals = c.normals;
+  for (int i = 0; i < normals.normals.rows(); ++i)
+    for (int j = 0; j < normals.normals.cols(); ++j)
+      if (Vector3f& n = normals.normals({i, j}); n.allFinite() && random() % 5 == 0)
+        n = random() % 2 == 0 ? Vector3f(n.y(), n.z(), n.x()) : Vector3f(n.z(), n.x(), n.y());
+  // So wide a tolerance that nothing is a crease.
+  ClassParams params;
+  params.angleToleranceDeg = 90;
+  params.clean = false;
+  const Grid<SurfaceClass> raw = computeClasses(c.points, normals, params).classes;
+  params.clean = true;
+  const Grid<SurfaceClass> cleaned = computeClasses(c.points, normals, params).classes;
+  EXPECT_EQ(cleaned, cleanedAsAWhole(raw));
+  size_t changed = 0;
+  for (size_t o = 0; o < raw.size(); ++o) changed += raw[o] != cleaned[o];
+  EXPECT_GT(changed, raw.size() / 40);
 }
 
 TEST(SurfaceClass, OneAndTwoThreadsGiveTheSame) {
