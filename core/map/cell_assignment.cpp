@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace stratascope {
 namespace {
@@ -25,6 +26,38 @@ std::uint32_t risingBits(float z) {
 float fromRisingBits(std::uint32_t bits) {
   return std::bit_cast<float>((bits & 0x80000000u) ? bits & 0x7fffffffu : ~bits);
 }
+
+/// Ascending keys. Heights of a cell spread over it: many are dealt out into as many equal slices first, and
+/// hardly anything is left to sort in each.
+class SortByHeight {
+public:
+  void operator()(std::span<std::uint64_t> keys) {
+    constexpr size_t kMany = 64;
+    if (keys.size() < kMany) return std::sort(keys.begin(), keys.end());
+    const auto [lowest, highest] = std::minmax_element(keys.begin(), keys.end());
+    const double least = heightOf(*lowest),
+                 slices = static_cast<double>(keys.size()) / (heightOf(*highest) - least + 1);
+    const auto sliceOf = [&](std::uint64_t key) {
+      return static_cast<size_t>((heightOf(key) - least) * slices);
+    };
+    end_.assign(keys.size() + 1, 0);
+    for (const std::uint64_t key : keys) ++end_[sliceOf(key) + 1];
+    for (size_t s = 1; s < end_.size(); ++s) end_[s] += end_[s - 1];
+    dealt_.assign(keys.begin(), keys.end());
+    for (const std::uint64_t key : dealt_) keys[end_[sliceOf(key)]++] = key;
+    size_t begin = 0;
+    for (size_t s = 0; s < keys.size(); begin = end_[s++])
+      if (end_[s] - begin > 1)
+        std::sort(keys.begin() + static_cast<std::ptrdiff_t>(begin),
+                  keys.begin() + static_cast<std::ptrdiff_t>(end_[s]));
+  }
+
+private:
+  static double heightOf(std::uint64_t key) { return static_cast<double>(key >> 32); }  // rises with it
+
+  std::vector<std::uint64_t> dealt_;
+  std::vector<std::uint32_t> end_;  // of each slice
+};
 
 std::string number(double value, int digits) {
   std::array<char, 64> buffer;
@@ -155,32 +188,47 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
         cellOf[part.first + k] = kNoCell;
   });
 
-  // Into the cells in the order of the points, then each cell by height; equal heights keep their order.
+  // Into the cells in the order of the points, then each cell by height; equal heights keep their order. A
+  // few groups of parts at once, each of which knows where in a cell its points begin.
+  const size_t groups = frame.size() <= total ? std::min<size_t>(4, parts.size()) : 1;
+  std::vector<std::vector<std::uint32_t>> placeOf(groups, std::vector<std::uint32_t>(frame.size()));
+  const auto eachPointOf = [&](size_t group, const auto& body) {
+    for (size_t p = group * parts.size() / groups; p < (group + 1) * parts.size() / groups; ++p)
+      for (size_t k = 0; k < parts[p].points.size(); ++k)
+        if (const size_t source = parts[p].first + k; cellOf[source] != kNoCell)
+          body(placeOf[group][cellOf[source]], parts[p].points[k], source);
+  };
+  const auto eachGroup = [&](const auto& body) {
+    parallelRows(
+        static_cast<int>(groups), execution,
+        [&](int begin, int end) {
+          for (int group = begin; group < end; ++group) eachPointOf(static_cast<size_t>(group), body);
+        },
+        1);
+  };
+  eachGroup([](std::uint32_t& count, const Eigen::Vector3f&, size_t) { ++count; });
   std::vector<std::uint32_t>& first = result.first;
-  first.assign(frame.size() + 1, 0);
-  for (size_t k = 0; k < total; ++k)
-    if (cellOf[k] != kNoCell) ++first[cellOf[k] + 1];
-  for (size_t o = 1; o < first.size(); ++o) first[o] += first[o - 1];
-  throwIfStopped(execution);
+  first.resize(frame.size() + 1);
+  std::uint32_t place = 0;
+  for (size_t o = 0; o < frame.size(); ++o) {
+    first[o] = place;
+    for (auto& ofGroup : placeOf) place += std::exchange(ofGroup[o], place);
+  }
+  first.back() = place;
   const auto keys = std::make_unique_for_overwrite<std::uint64_t[]>(bounds.count);
-  for (const Part& part : parts)
-    for (size_t k = 0; k < part.points.size(); ++k) {
-      const size_t source = part.first + k;
-      if (cellOf[source] == kNoCell) continue;
-      // + 0 turns −0 into 0, so that equal heights are equal bits
-      keys[first[cellOf[source]]++] = std::uint64_t{risingBits(part.points[k].z() + 0.0f)} << 32 | source;
-    }
-  // every first[o] has run to the end of its cell, which is the beginning of the next
-  std::copy_backward(first.begin(), first.end() - 1, first.end());
-  first[0] = 0;
+  eachGroup([&](std::uint32_t& at, const Eigen::Vector3f& p, size_t source) {
+    // + 0 turns −0 into 0, so that equal heights are equal bits
+    keys[at++] = std::uint64_t{risingBits(p.z() + 0.0f)} << 32 | source;
+  });
   result.heights.resize(bounds.count);
   result.source.resize(bounds.count);
   constexpr int kCells = 1024;
   parallelRows(
       static_cast<int>(frame.size()), execution,
       [&](int begin, int end) {
-        const auto key = [&](int cell) { return keys.get() + first[static_cast<size_t>(cell)]; };
-        for (int cell = begin; cell < end; ++cell) std::sort(key(cell), key(cell + 1));
+        SortByHeight sort;
+        for (auto cell = static_cast<size_t>(begin); cell < static_cast<size_t>(end); ++cell)
+          sort({keys.get() + first[cell], keys.get() + first[cell + 1]});
         for (size_t k = first[static_cast<size_t>(begin)]; k < first[static_cast<size_t>(end)]; ++k) {
           result.heights[k] = fromRisingBits(static_cast<std::uint32_t>(keys[k] >> 32));
           result.source[k] = static_cast<std::uint32_t>(keys[k]);
