@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "base/grid.h"
 #include "base/parallel_rows.h"
 
@@ -18,8 +20,13 @@ public:
   /// Angle to the neuron of the next line, and of the next beam.
   struct Step {
     float line = 0, beam = 0;
+    bool operator==(const Step&) const = default;
   };
   const Step& at(GridIndex i) const { return tiles_({i.row / kTile, i.col / kTile}); }
+  /// Of a line both lattices have, with the same number of beams.
+  bool sameLine(const LatticeSteps& other, int line) const {
+    return std::ranges::equal(tiles_.row(line / kTile), other.tiles_.row(line / kTile));
+  }
 
   friend LatticeSteps measureLatticeSteps(const PointImage&, const Execution&);
 

@@ -75,7 +75,8 @@ NormalState adaptiveNormal(const PointImage& image, const ShellNeighbourhood& sh
 
 }  // namespace
 
-NormalImage computeNormals(const PointImage& image, const NormalParams& params, const Execution& execution) {
+NormalImage computeNormals(const PointImage& image, const NormalParams& params, const Execution& execution,
+                           const NormalHistory& history) {
   const int lines = image.points.rows(), beams = image.points.cols();
   NormalImage result;
   result.normals = Grid<Eigen::Vector3f>(lines, beams, Eigen::Vector3f::Constant(kNaNf));
@@ -102,7 +103,7 @@ NormalImage computeNormals(const PointImage& image, const NormalParams& params, 
       break;
     }
     case NormalEstimator::Regression:
-      regressionNormals(image, params, result, execution);
+      regressionNormals(image, params, result, execution, history);
       break;
   }
   return result;

@@ -8,6 +8,14 @@
 
 namespace stratascope {
 
+/// For lattices that grow. What a run gives does not depend on it, only how much of it is computed anew.
+struct NormalHistory {
+  bool remember = false;  ///< keep what the next run needs, 11 bytes a neuron
+  /// Of an earlier run with the same parameters, that remembered; or null, both.
+  const PointImage* points = nullptr;
+  const NormalImage* normals = nullptr;
+};
+
 /// Layer 2 of the network: a unit normal for every neuron, turned toward the sensor, map frame; NaN where the
 /// neighbourhood gives none. All estimators take neighbours by Eq. (6), ε1 ≥ distance ≥ ε2, but for Closest,
 /// which ignores it:
@@ -19,6 +27,6 @@ namespace stratascope {
 /// shell whose
 ///   residual agrees with the scan's noise; the window may stand off-centre, so it never lies across an edge
 NormalImage computeNormals(const PointImage& points, const NormalParams& params,
-                           const Execution& execution = {});
+                           const Execution& execution = {}, const NormalHistory& history = {});
 
 }  // namespace stratascope

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct PointImage {
   LatticeSteps steps;  ///< angles between the lattice's beams, measured from these points
 };
 
+struct RegressionMemory;
+
 /// Layer 2.
 struct NormalImage {
   Grid<Eigen::Vector3f> normals;  ///< unit, toward the sensor; NaN = no usable neighbours
@@ -37,6 +40,9 @@ struct NormalImage {
   Grid<float> distance;
   /// Reach of the neighbourhood each normal came from, metres; NaN without a normal.
   Grid<float> reach;
+  /// Of the regression, if it was asked to remember how it came about: then a run over a lattice that differs
+  /// by some lines repeats only what depends on them.
+  std::shared_ptr<const RegressionMemory> memory;
 };
 
 /// Layer 3.

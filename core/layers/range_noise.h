@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "base/grid.h"
 #include "base/parallel_rows.h"
@@ -28,9 +29,16 @@ public:
   double varianceAt(float r) const { return variance_[static_cast<size_t>(binOf(r))]; }
   /// Variance of a range along a beam that meets a surface at this cosine: the scanner's noise, and the
   /// surface's own roughness, which counts for more as the surface turns away.
-  double varianceAt(float r, double cosine) const {
+  double varianceAt(float r, double cosine) const { return withRoughness(varianceAt(r), cosine); }
+  static double withRoughness(double variance, double cosine) {
     const double rough = kRoughness / std::max(0.05, cosine);
-    return varianceAt(r) + rough * rough;
+    return variance + rough * rough;
+  }
+  /// Whether both say the same of every range of a line.
+  bool sameFor(std::span<const float> ranges, const RangeNoise& other) const {
+    return variance_ == other.variance_ || std::ranges::all_of(ranges, [&](float r) {
+             return !(r > 0) || varianceAt(r) == other.varianceAt(r);
+           });
   }
   /// Over all distances; NaN if there were too few returns to tell.
   double overall() const { return overall_; }

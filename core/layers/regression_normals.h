@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/parallel_rows.h"
+#include "layers/normals.h"
 #include "layers/products.h"
 #include "params/pipeline_params.h"
 
@@ -13,8 +14,8 @@ namespace stratascope {
 /// Of windows around the neuron, from large to small, the first whose residual is explained by the scan's
 /// noise is taken; no window across an edge ever is. Where none around the neuron fits, it takes over the
 /// plane of a neighbour whose window holds it, if that explains its own range. `result` comes with grids of
-/// the lattice's size, all missing.
+/// the lattice's size, all missing. `history`: see computeNormals().
 void regressionNormals(const PointImage& image, const NormalParams& params, NormalImage& result,
-                       const Execution& execution);
+                       const Execution& execution, const NormalHistory& history);
 
 }  // namespace stratascope

@@ -11,6 +11,7 @@
 #include "cnn/layer.h"
 #include "cnn/neighbourhood.h"
 #include "cnn/template_network.h"
+#include "layers/changed_lines.h"
 
 namespace stratascope {
 
@@ -196,6 +197,8 @@ private:
   std::array<std::ptrdiff_t, 8> offsets_{};  // of the lattice directions, in neurons
 };
 
+constexpr int kEdgeReach = 5;   // lines whose neurons EdgeRule reads: two on, and from there up to three
+constexpr int kTile = 32;       // neurons, for cleaning
 constexpr int kCleanSteps = 3;  // strays up to a few neurons vanish, straight borders do not move
 
 // One majority network a surface class, run on the image of that class; the class whose network answers most
@@ -236,14 +239,38 @@ void cleanTile(const Grid<SurfaceClass>& before, GridIndex from, GridIndex to, G
   }
 }
 
-void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
-  constexpr int kTile = 32;
-  const Grid<SurfaceClass> before = classes;
+/// Which lines must be computed anew; those between are as they were.
+struct LinesToDo {
+  Grid<char> classes, clean;  // lines × 1; cleaning whole rows of tiles
+
+  LinesToDo(int lines, bool all, bool cleaning, const ChangedLines& changed)
+      : classes(lines, 1, all), clean(lines, 1, all) {
+    if (all) return;
+    if (!cleaning) {
+      for (int i = 0; i < lines; ++i) classes({i, 0}) = !changed.none(i - kEdgeReach, i + kEdgeReach);
+      return;
+    }
+    constexpr int kReach = kEdgeReach + kCleanSteps;
+    for (int first = 0; first < lines; first += kTile) {
+      const int end = std::min(lines, first + kTile);
+      if (changed.none(first - kReach, end - 1 + kReach)) continue;
+      for (int i = first; i < end; ++i) clean({i, 0}) = 1;
+      for (int i = std::max(0, first - kCleanSteps); i < std::min(lines, end + kCleanSteps); ++i)
+        classes({i, 0}) = 1;
+    }
+  }
+};
+
+/// Only the lines to do of `raw` are read and only those to clean of `cleaned` written.
+void cleanSurfaces(const Grid<SurfaceClass>& raw, const LinesToDo& todo, Grid<SurfaceClass>& cleaned,
+                   const Execution& execution) {
   parallelRows(
-      classes.rows(), execution,
+      raw.rows(), execution,
       [&](int begin, int end) {
-        for (int j = 0; j < classes.cols(); j += kTile)
-          cleanTile(before, {begin, j}, {end, std::min(classes.cols(), j + kTile)}, classes);
+        if (!todo.clean({begin, 0})) return;
+        for (int i = begin; i < end; ++i) std::ranges::copy(raw.row(i), cleaned.row(i).begin());
+        for (int j = 0; j < raw.cols(); j += kTile)
+          cleanTile(raw, {begin, j}, {end, std::min(raw.cols(), j + kTile)}, cleaned);
       },
       kTile);
 }
@@ -251,23 +278,45 @@ void cleanSurfaces(Grid<SurfaceClass>& classes, const Execution& execution) {
 }  // namespace
 
 ClassImage computeClasses(const PointImage& points, const NormalImage& normals, const ClassParams& params,
-                          const Execution& execution) {
+                          const Execution& execution, const ClassHistory& history) {
+  const int lines = points.range.rows(), beams = points.range.cols();
   ClassImage image;
   image.wallDirection = params.alignWalls ? dominantWallDirection(points, normals)
                                           : std::atan2(points.viewing.y(), points.viewing.x());
+  const ClassHistory& before = history;
+  const bool anew = !before.classes || before.points->range.cols() != beams ||
+                    before.classes->wallDirection != image.wallDirection;
+  const ChangedLines changed(lines, [&](int i) {
+    return !anew && sameBits(before.points->range, points.range, i) &&
+           sameBits(before.points->points, points.points, i) &&
+           before.points->steps.sameLine(points.steps, i) &&
+           before.points->noise.sameFor(points.range.row(i), points.noise) &&
+           sameBits(before.normals->normals, normals.normals, i) &&
+           sameBits(before.normals->distance, normals.distance, i);
+  });
+  const LinesToDo todo(lines, anew, params.clean, changed);
+
   const Eigen::Vector3d facing(std::cos(image.wallDirection), std::sin(image.wallDirection), 0);
   const double least = std::cos(degToRad(params.classToleranceDeg));
   const EdgeRule edge(points, normals, params);
-  image.classes = feedForward<SurfaceClass>(
-      points.range.rows(), points.range.cols(),
-      [&](GridIndex at) {
-        const SurfaceClass onEdge = edge(at);
-        if (onEdge != SurfaceClass::Unknown) return onEdge;
-        const Eigen::Vector3f& n = normals.normals(at);
-        return known(n) ? classWithin(n.cast<double>(), facing, least) : SurfaceClass::Unknown;
-      },
-      execution);
-  if (params.clean) cleanSurfaces(image.classes, execution);
+  const auto classOf = [&](GridIndex at) {
+    const SurfaceClass onEdge = edge(at);
+    if (onEdge != SurfaceClass::Unknown) return onEdge;
+    const Eigen::Vector3f& n = normals.normals(at);
+    return known(n) ? classWithin(n.cast<double>(), facing, least) : SurfaceClass::Unknown;
+  };
+  image.classes = Grid<SurfaceClass>(lines, beams);
+  Grid<SurfaceClass> raw = params.clean ? image.classes : Grid<SurfaceClass>();
+  Grid<SurfaceClass>& first = params.clean ? raw : image.classes;
+  parallelRows(lines, execution, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (todo.classes({i, 0}))
+        for (int j = 0; j < beams; ++j) first({i, j}) = classOf({i, j});
+      if (!todo.clean({i, 0}) && (params.clean || !todo.classes({i, 0})))
+        std::ranges::copy(before.classes->classes.row(i), image.classes.row(i).begin());
+    }
+  });
+  if (params.clean) cleanSurfaces(raw, todo, image.classes, execution);
   return image;
 }
 

@@ -8,6 +8,14 @@
 
 namespace stratascope {
 
+/// For lattices that grow: an earlier run with the same parameters, or null, all three. What a run gives does
+/// not depend on it, only how much of it is computed anew.
+struct ClassHistory {
+  const PointImage* points = nullptr;
+  const NormalImage* normals = nullptr;
+  const ClassImage* classes = nullptr;
+};
+
 /// Layer 3 of the network. A neuron whose neighbours' normals are parallel to its own lies on a surface,
 /// classed by direction: facing, side, horizontal within classToleranceDeg, else oblique. Where normals
 /// differ by more than angleToleranceDeg it lies on an edge: convex if they open, (n₂ − n₁)·(p₂ − p₁) > 0,
@@ -15,7 +23,7 @@ namespace stratascope {
 /// ClassParams::clean, stray surface classes follow the majority template of the network; edges and unknown
 /// neurons keep what they are.
 ClassImage computeClasses(const PointImage& points, const NormalImage& normals, const ClassParams& params,
-                          const Execution& execution = {});
+                          const Execution& execution = {}, const ClassHistory& history = {});
 
 /// The class a direction belongs to; facing is a horizontal unit vector.
 SurfaceClass classOfDirection(const Eigen::Vector3d& normal, const Eigen::Vector3d& facing,

@@ -23,12 +23,38 @@ namespace {
 /// Products of one scan and the parameters each was made with: a product stands as long as these and what it
 /// was made from do.
 struct ScanCache {
+  /// What was computed of the scan that stood here before: while lines come in, most of it still holds.
+  struct Earlier {
+    std::shared_ptr<const PointImage> points;
+    std::shared_ptr<const NormalImage> normals;
+    std::shared_ptr<const ClassImage> classes;  // may be null
+    NormalParams normalParams;
+    ClassParams classParams;
+  };
+  std::optional<Earlier> earlier;
   ScanProducts products;
   std::optional<RangeParams> range;
   std::optional<NormalParams> normals;
   std::optional<ClassParams> classes;
   std::optional<std::pair<PlaneParams, double>> planes;
   std::optional<double> edges;
+
+  std::optional<Earlier> asEarlier() const {
+    if (!normals) return earlier;
+    return Earlier{products.points, products.normals, classes ? products.classes : nullptr, *normals,
+                   classes.value_or(ClassParams{})};
+  }
+  NormalHistory historyOfNormals(const NormalParams& params) const {
+    NormalHistory history;
+    history.remember = earlier.has_value();
+    if (earlier && earlier->normalParams == params)
+      history.points = earlier->points.get(), history.normals = earlier->normals.get();
+    return history;
+  }
+  ClassHistory historyOfClasses(const ClassParams& params) const {
+    if (!earlier || !earlier->classes || !(earlier->classParams == params)) return {};
+    return {earlier->points.get(), earlier->normals.get(), earlier->classes.get()};
+  }
 };
 
 // The plane of a point of an unordered cloud: that of the neuron that stands for it, if the point lies in it.
@@ -101,12 +127,15 @@ void Pipeline::setScans(std::vector<ScanPtr> scans) {
   State& s = *state_;
   const auto executions = s.executions;
   const auto generation = s.generation;
+  std::vector<std::optional<ScanCache::Earlier>> earlier;
+  for (const ScanCache& c : s.scans) earlier.push_back(c.asEarlier());
   s = State{};
   s.executions = executions;
   s.generation = generation;
   std::uint64_t base = 0;
   for (ScanPtr& scan : scans) {
     ScanCache cache;
+    if (s.scans.size() < earlier.size()) cache.earlier = std::move(earlier[s.scans.size()]);
     cache.products.labelBase = static_cast<PlaneLabel>(base);
     base += scan->lattice->points().size();
     cache.products.scan = std::move(scan);
@@ -165,8 +194,8 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
     bool ran = false;
     for (ScanCache& c : s.scans) {
       if (c.normals == params.normals) continue;
-      c.products.normals =
-          std::make_shared<const NormalImage>(computeNormals(*c.products.points, params.normals, execution));
+      c.products.normals = std::make_shared<const NormalImage>(
+          computeNormals(*c.products.points, params.normals, execution, c.historyOfNormals(params.normals)));
       c.normals = params.normals;
       c.classes.reset();
       c.planes.reset();
@@ -179,8 +208,10 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
     for (ScanCache& c : s.scans) {
       if (c.classes == params.classes) continue;
       c.products.classes = std::make_shared<const ClassImage>(
-          computeClasses(*c.products.points, *c.products.normals, params.classes, execution));
+          computeClasses(*c.products.points, *c.products.normals, params.classes, execution,
+                         c.historyOfClasses(params.classes)));
       c.classes = params.classes;
+      c.earlier.reset();
       c.planes.reset();
       ran = true;
     }
