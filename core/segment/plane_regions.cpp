@@ -12,6 +12,7 @@
 #include "segment/curved.h"
 #include "segment/patches.h"
 #include "segment/region_neurons.h"
+#include "segment/touching.h"
 #include "segment/uneven.h"
 
 namespace stratascope {
@@ -49,10 +50,10 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
     if (others.empty()) continue;
     double growth = 0;
     for (const GridIndex& at : sample[l]) {
+      const Neurons::Place place = neurons.place(at);
       auto misfit = [&](const RangePlane& plane) {
-        const Neurons::Misfit m = neurons.misfit(at, plane);
-        const double e = std::min(kFarSigmas, m.error);
-        return e * e + 0.25 * std::min(16.0, m.tilt);
+        const Neurons::Misfit m = neurons.misfit(place, plane);
+        return std::min(kFarSigmas * kFarSigmas, m.squares) + 0.25 * std::min(16.0, m.tilt);
       };
       double best = misfit(regions.planes[static_cast<size_t>(others.front())]);
       for (std::int32_t o : others) best = std::min(best, misfit(regions.planes[static_cast<size_t>(o)]));
@@ -70,13 +71,13 @@ public:
   OccludedGaps(const Neurons& neurons, const PlaneRegions& regions) : neurons_(neurons), regions_(regions) {}
 
   /// Pairs worth joining, by the share of their gaps that is occluded.
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs(double cosSame) const {
+  std::vector<LabelPair> pairs(double cosSame) const {
     const Grid<std::int32_t>& region = regions_.region;
     std::map<std::pair<std::int32_t, std::int32_t>, std::pair<int, int>> seen;  // occluded, all
     for (int i = 0; i < region.rows(); ++i) walk({i, 0}, {0, 1}, region.cols(), cosSame, seen);
     for (int j = 0; j < region.cols(); ++j) walk({0, j}, {1, 0}, region.rows(), cosSame, seen);
     constexpr int kFewest = 5;
-    std::vector<std::pair<std::int32_t, std::int32_t>> result;
+    std::vector<LabelPair> result;
     for (const auto& [pair, count] : seen)
       if (count.first >= kFewest && count.first >= 0.8 * count.second) result.push_back(pair);
     return result;
@@ -156,9 +157,8 @@ public:
 private:
   // Neighbouring patches, then regions of those that are worth refining.
   void joinPatches() {
-    PatchGraph graph;
-    for (const PatchSums& sums : patches_.sums()) graph.addPatch(sums);
-    for (const auto& [a, b] : touching(patches_.patch(), 2, false, execution_)) graph.connect(a, b);
+    PatchGraph graph(patches_.sums(), execution_);
+    graph.connect(patches_.touchingPatches(execution_));
     graph.joinAll(rules_, execution_);
     const double leastSeed = std::max(12.0, 0.4 * neurons_.params.minPlanePoints);
     std::vector<std::int32_t> regionOf(graph.size(), kNoRegion);
@@ -185,12 +185,11 @@ private:
   }
 
   // Regions that met only after their borders had settled: the same rule of joining, on whole regions.
-  bool join(const std::vector<std::pair<std::int32_t, std::int32_t>>& alsoConnected) {
+  bool join(const std::vector<LabelPair>& alsoConnected) {
     const Patches::RegionSums measured = patches_.sumsOf(regions_.region, regions_.planes.size(), execution_);
-    PatchGraph graph;
-    for (const PatchSums& sums : measured.sums) graph.addPatch(sums);
-    for (const auto& [a, b] : touching(regions_.region, 3, true, execution_)) graph.connect(a, b);
-    for (const auto& [a, b] : alsoConnected) graph.connect(a, b);
+    PatchGraph graph(measured.sums, execution_);
+    graph.connect(touching(regions_.region, 3, true, execution_));
+    graph.connect(alsoConnected);
     graph.joinAll(rules_, execution_);
     regions_.size = measured.size;
     std::vector<std::int32_t> rootOf(graph.size());
