@@ -213,25 +213,25 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const Grid<std::
 
 }  // namespace
 
-size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
-                     PlaneRegions& regions, const Execution& execution) {
-  const Creases creases(neurons, regions, execution);
-  const BorderRule rule(neurons, regions.planes, alive, creases);
+BorderNetwork::BorderNetwork(const Neurons& neurons)
+    : neurons_(neurons),
+      listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1),
+      left_(neurons.points.range.rows(), neurons.points.range.cols()) {}
+
+size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, PlaneRegions& regions,
+                             const Execution& execution) {
+  const Creases creases(neurons_, regions, execution);
+  const BorderRule rule(neurons_, regions.planes, alive, creases);
   Grid<std::int32_t>& region = regions.region;
   // A neuron reads its 3 × 3 neighbours only, so it can change only after one of them did: the list of such
   // neurons is all a synchronous step has to visit.
   std::vector<GridIndex> active = borderOf(alive, region, execution), next;
-  Grid<int> listed(region.rows(), region.cols(), -1);  // the step a neuron was last put on the list
-  struct Left {
-    std::int32_t label = kNoRegion;
-    int step = -2;
-  };
-  Grid<Left> left(region.rows(), region.cols());  // what a neuron was before, until which step
   std::vector<std::int32_t> wanted;
   size_t changes = 0;
-  for (int step = 0; step < mostSteps && !active.empty(); ++step) {
+  const int last = step_ + mostSteps;
+  for (; step_ < last && !active.empty(); ++step_) {
     wanted.resize(active.size());
-    constexpr int kChunk = 1024;
+    constexpr int kChunk = 512;
     parallelRows(
         static_cast<int>(active.size()), execution,
         [&](int begin, int end) {
@@ -242,22 +242,25 @@ size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int
     next.clear();
     for (size_t k = 0; k < active.size(); ++k) {
       const GridIndex at = active[k];
-      if (wanted[k] == region(at)) continue;
+      std::int32_t& own = region(at);
+      if (wanted[k] == own) continue;
       // Neighbours that change at the same time can swap for ever: nobody goes straight back.
-      if (left(at).step == step - 1 && left(at).label == wanted[k]) continue;
-      left(at) = {region(at), step};
-      region(at) = wanted[k];
+      Left& left = left_(at);
+      if (left.step == step_ - 1 && left.label == wanted[k]) continue;
+      left = {own, step_};
+      own = wanted[k];
       ++changes;
       for (int di = -1; di <= 1; ++di)
         for (int dj = -1; dj <= 1; ++dj) {
           const GridIndex near{at.row + di, at.col + dj};
-          if (!region.contains(near) || listed(near) == step) continue;
-          listed(near) = step;
+          if (!region.contains(near) || listed_(near) == step_) continue;
+          listed_(near) = step_;
           next.push_back(near);
         }
     }
     std::swap(active, next);
   }
+  ++step_;  // going back on a step of the last call is allowed
   return changes;
 }
 

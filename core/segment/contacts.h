@@ -6,13 +6,14 @@
 
 namespace stratascope {
 
-/// Where regions touch: calls contact(from, to) for neurons of two different regions, `to` up to three
-/// neurons on along a line or a beam with none of a region between them (neurons right at a border are often
-/// of none). Row by row, along the line before across it.
+/// Where regions touch: calls contact(from, to) for neurons of two different regions, `from` on one of the
+/// given lines, `to` up to three neurons on along a line or a beam with none of a region between them
+/// (neurons right at a border are often of none). Row by row, along the line before across it.
 template <class Label, class Contact>
-void forEachContact(const Grid<Label>& labels, Label none, const Contact& contact) {
+void forEachContact(const Grid<Label>& labels, Label none, int beginLine, int endLine,
+                    const Contact& contact) {
   constexpr int kReach = 3;
-  for (int i = 0; i < labels.rows(); ++i)
+  for (int i = beginLine; i < endLine; ++i)
     for (int j = 0; j < labels.cols(); ++j) {
       const GridIndex from{i, j};
       if (labels(from) == none) continue;
@@ -25,6 +26,10 @@ void forEachContact(const Grid<Label>& labels, Label none, const Contact& contac
           break;
         }
     }
+}
+template <class Label, class Contact>
+void forEachContact(const Grid<Label>& labels, Label none, const Contact& contact) {
+  forEachContact(labels, none, 0, labels.rows(), contact);
 }
 
 }  // namespace stratascope

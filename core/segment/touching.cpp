@@ -31,11 +31,14 @@ std::vector<LabelPair> touching(const Grid<std::int32_t>& labels, int farthest, 
           for (int j = 0; j < labels.cols(); ++j) {
             const std::int32_t a = row[j];
             if (mark[static_cast<size_t>(j)] == 0 || a == kNoRegion) continue;
+            std::int32_t seen = a;  // most neurons meet one other label, many times
             for (const GridIndex& offset : offsets) {
               const GridIndex to{i + offset.row, j + offset.col};
               if (!labels.contains(to)) continue;
               const std::int32_t b = labels(to);
-              if (b != kNoRegion && b != a) pairs(std::min(a, b), std::max(a, b));
+              if (b == seen || b == kNoRegion || b == a) continue;
+              seen = b;
+              pairs(std::min(a, b), std::max(a, b));
             }
           }
         }
