@@ -8,6 +8,7 @@
 #include "cnn/neighbourhood.h"
 #include "segment/lattice_borders.h"
 #include "segment/pair_table.h"
+#include "segment/runs.h"
 
 namespace stratascope {
 
@@ -33,6 +34,7 @@ public:
 private:
   struct Side {
     double sum = 0, count = 0;
+    bool known = false;  // from neurons nearer to the border
   };
   using Sides = PairTable<Side>;  // own, other
 
@@ -46,32 +48,29 @@ private:
           Sides& sides = parts[static_cast<size_t>(begin / kRows)];
           const int stride =
               2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
+          std::vector<std::int32_t> mark(static_cast<size_t>(region.cols()));
           for (int i = begin; i < end; i += stride) {
-            const std::int32_t* row = region.row(i).data();
-            const std::int32_t *above = i >= inside ? region.row(i - inside).data() : row,
-                               *below = i + inside < region.rows() ? region.row(i + inside).data() : row;
+            const auto at = [&](int line, int beam) {
+              return region.contains({line, beam}) ? region({line, beam}) : kNoRegion;
+            };
+            markNear(region, i, inside, mark);
             for (int j = (i / stride) % 2; j < region.cols(); j += 2) {
-              const std::int32_t own = row[j];
-              const int left = j >= inside ? j - inside : j,
-                        right = j + inside < region.cols() ? j + inside : j;
-              if (own == kNoRegion ||
-                  (above[j] == own && below[j] == own && row[left] == own && row[right] == own))
-                continue;
-              const Eigen::Vector3d q = neurons.q({i, j});
-              const double r = neurons.points.range({i, j});
-              const double byOwn = regions.planes[static_cast<size_t>(own)].rangeError(q, r);
+              const std::int32_t own = region({i, j});
+              if (mark[static_cast<size_t>(j)] == 0 || own == kNoRegion) continue;
               std::int32_t asked = kNoRegion;
+              Side* side = nullptr;
               double ahead = 0;
-              for (const std::int32_t other : {above[j], below[j], row[left], row[right]}) {
+              for (const std::int32_t other :
+                   {at(i - inside, j), at(i + inside, j), at(i, j - inside), at(i, j + inside)}) {
                 if (other == kNoRegion || other == own) continue;
                 if (other != asked) {
                   asked = other;
-                  ahead = std::clamp(regions.planes[static_cast<size_t>(other)].rangeError(q, r) - byOwn,
-                                     -1.0, 1.0);
+                  side = &sides(own, other);
+                  if (side->count == 0) side->known = between(own, other) != Kind::None;
+                  if (!side->known) ahead = aheadOf(neurons, regions, {i, j}, own, other);
                 }
-                Side& side = sides(own, other);
-                side.sum += ahead;
-                side.count += 1;
+                side->sum += ahead;
+                side->count += 1;
               }
             }
           }
@@ -91,6 +90,27 @@ private:
       if (side.sum < 0 && back->sum < 0) kinds_(pair.first, pair.second) = Kind::Convex;
       if (side.sum > 0 && back->sum > 0) kinds_(pair.first, pair.second) = Kind::Concave;
     }
+  }
+
+  // mark[beam] ≠ 0 where another label stands so many neurons on along the line or the beam.
+  static void markNear(const Grid<std::int32_t>& region, int line, int inside,
+                       std::vector<std::int32_t>& mark) {
+    const auto beams = static_cast<size_t>(region.cols()), reach = static_cast<size_t>(inside);
+    const std::int32_t* own = region.row(line).data();
+    const std::int32_t* above = line >= inside ? region.row(line - inside).data() : own;
+    const std::int32_t* below = line + inside < region.rows() ? region.row(line + inside).data() : own;
+    for (size_t j = 0; j < beams; ++j) mark[j] = (above[j] ^ own[j]) | (below[j] ^ own[j]);
+    for (size_t j = reach; j < beams; ++j) mark[j] |= own[j - reach] ^ own[j];
+    for (size_t j = 0; j + reach < beams; ++j) mark[j] |= own[j + reach] ^ own[j];
+  }
+  // How far the other plane lies behind a neuron of its own, metres.
+  static double aheadOf(const Neurons& neurons, const PlaneRegions& regions, GridIndex at, std::int32_t own,
+                        std::int32_t other) {
+    const Eigen::Vector3d q = neurons.q(at);
+    const double r = neurons.points.range(at);
+    return std::clamp(regions.planes[static_cast<size_t>(other)].rangeError(q, r) -
+                          regions.planes[static_cast<size_t>(own)].rangeError(q, r),
+                      -1.0, 1.0);
   }
 
   PairTable<Kind> kinds_;
@@ -121,7 +141,9 @@ public:
       return bearers;
     };
     const auto offer = [&](std::int32_t label, unsigned bearers) {
-      if (alive_[static_cast<size_t>(label)]) choices[kinds++] = {label, std::popcount(bearers), 0, 0, 0};
+      int votes = 0;
+      for (unsigned d = 0; d < 8; ++d) votes += static_cast<int>(bearers >> d & 1u);
+      if (alive_[static_cast<size_t>(label)]) choices[kinds++] = {label, votes, 0, 0, 0};
     };
     unsigned others = 0xffu & ~bearersOf(kNoRegion);
     if (own != kNoRegion) {
@@ -186,8 +208,11 @@ private:
 };
 
 // Neurons that have a neighbour of another region, or must leave their own.
-std::vector<GridIndex> borderOf(const std::vector<char>& alive, const Grid<std::int32_t>& region,
+std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegions& regions,
                                 const Execution& execution) {
+  const Grid<std::int32_t>& region = regions.region;
+  bool someLeave = false;
+  for (size_t l = 0; l < alive.size(); ++l) someLeave = someLeave || (!alive[l] && regions.size[l] > 0);
   constexpr int kRows = 32;
   std::vector<std::vector<GridIndex>> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
   parallelRows(
@@ -197,12 +222,11 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const Grid<std::
         std::vector<std::int32_t> mark;
         for (int i = begin; i < end; ++i) {
           markBorders(region, i, Adjacency::Eight, mark);
-          const std::int32_t* row = region.row(i).data();
-          for (int j = 0; j < region.cols(); ++j) {
-            const std::int32_t own = row[j];
-            if (mark[static_cast<size_t>(j)] != 0 || (own != kNoRegion && !alive[static_cast<size_t>(own)]))
-              part.push_back({i, j});
-          }
+          if (someLeave)
+            forEachRun(region, i, kNoRegion, [&](std::int32_t l, int from, int to) {
+              if (!alive[static_cast<size_t>(l)]) std::fill(mark.begin() + from, mark.begin() + to, 1);
+            });
+          forEachMarked(mark, [&](int j) { part.push_back({i, j}); });
         }
       },
       kRows);
@@ -225,7 +249,7 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
   Grid<std::int32_t>& region = regions.region;
   // A neuron reads its 3 × 3 neighbours only, so it can change only after one of them did: the list of such
   // neurons is all a synchronous step has to visit.
-  std::vector<GridIndex> active = borderOf(alive, region, execution), next;
+  std::vector<GridIndex> active = borderOf(alive, regions, execution), next;
   std::vector<std::int32_t> wanted;
   size_t changes = 0;
   const int last = step_ + mostSteps;

@@ -40,4 +40,19 @@ inline void markBorders(const Grid<std::int32_t>& labels, int line, Adjacency ad
   if (beams > 1) differs[beams - 1] = at(beams - 2, beams - 1, beams - 1);
 }
 
+/// Calls visit(beam) for the marked ones. Most of a lattice is inside regions: sixteen at a time are passed
+/// over.
+template <class Visit>
+void forEachMarked(const std::vector<std::int32_t>& mark, const Visit& visit) {
+  constexpr std::size_t kAtOnce = 16;
+  for (std::size_t begin = 0; begin < mark.size(); begin += kAtOnce) {
+    const std::size_t end = std::min(mark.size(), begin + kAtOnce);
+    std::int32_t any = 0;
+    for (std::size_t j = begin; j < end; ++j) any |= mark[j];
+    if (any == 0) continue;
+    for (std::size_t j = begin; j < end; ++j)
+      if (mark[j] != 0) visit(static_cast<int>(j));
+  }
+}
+
 }  // namespace stratascope

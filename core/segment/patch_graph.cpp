@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
-#include <tuple>
 
 namespace stratascope {
 
@@ -71,6 +70,11 @@ PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   return {smaller > 0 ? disagreement / smaller : 0.0, growth <= rules.chiSquare + slack};
 }
 
+PatchGraph::Entry PatchGraph::entry(int a, int b, double disagreement) const {
+  return {disagreement, static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b),
+          version_[static_cast<size_t>(a)] + version_[static_cast<size_t>(b)]};
+}
+
 std::vector<PatchGraph::Entry> PatchGraph::weighAll(const Rules& rules, const Execution& execution) {
   // A parent is smaller than its children, so in ascending order each finds its root in one step.
   for (int& parent : parent_) parent = parent_[static_cast<size_t>(parent)];
@@ -89,9 +93,7 @@ std::vector<PatchGraph::Entry> PatchGraph::weighAll(const Rules& rules, const Ex
           for (const int b : list) {
             if (a >= b) continue;
             const Growth g = growth(a, b, rules);
-            if (g.allowed)
-              part.push_back(
-                  {g.disagreement, a, b, version_[static_cast<size_t>(a)], version_[static_cast<size_t>(b)]});
+            if (g.allowed) part.push_back(entry(a, b, g.disagreement));
           }
         }
       },
@@ -141,10 +143,12 @@ void PatchGraph::join(int a, int b, std::vector<int>& added) {
 }
 
 void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
-  // Lowest growth first; ties by index, so the order is the same everywhere.
+  // Lowest growth first; ties by index, so the order is the same everywhere. No branch: which of two entries
+  // comes first is anybody's guess, and the queue asks a dozen times for each.
   const auto later = [](const Entry& x, const Entry& y) {
-    if (x.disagreement != y.disagreement) return x.disagreement > y.disagreement;
-    return std::tie(x.a, x.b, x.versionA, x.versionB) > std::tie(y.a, y.b, y.versionA, y.versionB);
+    return static_cast<bool>(
+        static_cast<int>(x.disagreement > y.disagreement) |
+        (static_cast<int>(x.disagreement == y.disagreement) & static_cast<int>(x.pair > y.pair)));
   };
   // A pair refused while both were small may be welcome once they have grown (and chance alone refuses one in
   // ten thousand), so all pairs are offered again until nothing joins any more.
@@ -157,24 +161,22 @@ void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
     const auto push = [&](int a, int b) {
       if (a > b) std::swap(a, b);
       const Growth g = growth(a, b, rules);
-      if (g.allowed)
-        queue.push(
-            {g.disagreement, a, b, version_[static_cast<size_t>(a)], version_[static_cast<size_t>(b)]});
+      if (g.allowed) queue.push(entry(a, b, g.disagreement));
     };
     while (!queue.empty()) {
       if (popped++ % 4096 == 0) throwIfStopped(execution);
       const Entry top = queue.top();
+      const int a = top.a(), b = top.b();
       queue.pop();
-      if (root(top.a) != top.a || root(top.b) != top.b) continue;
-      if (version_[static_cast<size_t>(top.a)] != top.versionA ||
-          version_[static_cast<size_t>(top.b)] != top.versionB) {
-        push(top.a, top.b);  // one of them grew since: weigh the pair anew
+      if (root(a) != a || root(b) != b) continue;
+      if (version_[static_cast<size_t>(a)] + version_[static_cast<size_t>(b)] != top.versions) {
+        push(a, b);  // one of them grew since: weigh the pair anew
         continue;
       }
       joined = true;
       // The pairs of a are weighed anew when they come up; those of b become pairs of a unless it had them.
-      join(top.a, top.b, added);
-      for (const int c : added) push(top.a, c);
+      join(a, b, added);
+      for (const int c : added) push(a, c);
     }
   }
 }

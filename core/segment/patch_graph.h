@@ -63,13 +63,17 @@ private:
   };
   struct Entry {  // of the queue: two patches as they were when weighed
     double disagreement;
-    int a, b, versionA, versionB;
+    std::uint64_t pair;  // the smaller index in the upper half
+    int versions;        // of both, added: they only rise
+    int a() const { return static_cast<int>(pair >> 32); }
+    int b() const { return static_cast<int>(pair & 0xffffffffu); }
   };
   struct Growth {
     double disagreement;
     bool allowed;
   };
   Growth growth(int a, int b, const Rules& rules) const;
+  Entry entry(int a, int b, double disagreement) const;
   /// All pairs of touching roots that may join, weighed.
   std::vector<Entry> weighAll(const Rules& rules, const Execution& execution);
   int root(int patch);  // find(), and shortens the way

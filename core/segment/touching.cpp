@@ -28,19 +28,20 @@ std::vector<LabelPair> touching(const Grid<std::int32_t>& labels, int farthest, 
           // Whatever can be reached from inside a region is reached from its border, too.
           markBorders(labels, i, Adjacency::Four, mark);
           const std::int32_t* row = labels.row(i).data();
-          for (int j = 0; j < labels.cols(); ++j) {
+          const bool wholeAround = i + farthest < labels.rows();
+          forEachMarked(mark, [&](int j) {
             const std::int32_t a = row[j];
-            if (mark[static_cast<size_t>(j)] == 0 || a == kNoRegion) continue;
+            if (a == kNoRegion) return;
+            const bool inside = wholeAround && j >= farthest && j + farthest < labels.cols();
             std::int32_t seen = a;  // most neurons meet one other label, many times
             for (const GridIndex& offset : offsets) {
-              const GridIndex to{i + offset.row, j + offset.col};
-              if (!labels.contains(to)) continue;
-              const std::int32_t b = labels(to);
+              if (!inside && !labels.contains({i + offset.row, j + offset.col})) continue;
+              const std::int32_t b = row[offset.row * labels.cols() + j + offset.col];
               if (b == seen || b == kNoRegion || b == a) continue;
               seen = b;
               pairs(std::min(a, b), std::max(a, b));
             }
-          }
+          });
         }
       },
       kRows);
