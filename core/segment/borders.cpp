@@ -3,10 +3,12 @@
 #include "segment/borders.h"
 
 #include <array>
-#include <map>
-#include <utility>
+#include <bit>
 
 #include "cnn/neighbourhood.h"
+#include "segment/lattice_borders.h"
+#include "segment/pair_table.h"
+#include "segment/runs.h"
 
 namespace stratascope {
 
@@ -25,16 +27,16 @@ public:
   }
 
   Kind between(std::int32_t a, std::int32_t b) const {
-    const auto found = kinds_.find(std::minmax(a, b));
-    return found == kinds_.end() ? Kind::None : found->second;
+    const Kind* kind = kinds_.find(std::min(a, b), std::max(a, b));
+    return kind ? *kind : Kind::None;
   }
 
 private:
-  using Pair = std::pair<std::int32_t, std::int32_t>;  // own, other
   struct Side {
     double sum = 0, count = 0;
+    bool known = false;  // from neurons nearer to the border
   };
-  using Sides = std::map<Pair, Side>;
+  using Sides = PairTable<Side>;  // own, other
 
   void ask(const Neurons& neurons, const PlaneRegions& regions, int inside, const Execution& execution) {
     const Grid<std::int32_t>& region = regions.region;
@@ -44,52 +46,74 @@ private:
         region.rows(), execution,
         [&](int begin, int end) {
           Sides& sides = parts[static_cast<size_t>(begin / kRows)];
-          Pair lastPair{kNoRegion, kNoRegion};
-          Side* last = nullptr;
           const int stride =
               2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
+          std::vector<std::int32_t> mark(static_cast<size_t>(region.cols()));
           for (int i = begin; i < end; i += stride) {
-            const std::int32_t* row = region.row(i).data();
-            const std::int32_t *above = i >= inside ? region.row(i - inside).data() : row,
-                               *below = i + inside < region.rows() ? region.row(i + inside).data() : row;
+            const auto at = [&](int line, int beam) {
+              return region.contains({line, beam}) ? region({line, beam}) : kNoRegion;
+            };
+            markNear(region, i, inside, mark);
             for (int j = (i / stride) % 2; j < region.cols(); j += 2) {
-              const std::int32_t own = row[j];
-              const int left = j >= inside ? j - inside : j,
-                        right = j + inside < region.cols() ? j + inside : j;
-              if (own == kNoRegion ||
-                  (above[j] == own && below[j] == own && row[left] == own && row[right] == own))
-                continue;
-              const Eigen::Vector3d q = neurons.q({i, j});
-              const double r = neurons.points.range({i, j});
-              const double byOwn = regions.planes[static_cast<size_t>(own)].rangeError(q, r);
-              for (const std::int32_t other : {above[j], below[j], row[left], row[right]}) {
+              const std::int32_t own = region({i, j});
+              if (mark[static_cast<size_t>(j)] == 0 || own == kNoRegion) continue;
+              std::int32_t asked = kNoRegion;
+              Side* side = nullptr;
+              double ahead = 0;
+              for (const std::int32_t other :
+                   {at(i - inside, j), at(i + inside, j), at(i, j - inside), at(i, j + inside)}) {
                 if (other == kNoRegion || other == own) continue;
-                const double ahead = regions.planes[static_cast<size_t>(other)].rangeError(q, r) - byOwn;
-                if (const Pair pair{own, other}; pair != lastPair) lastPair = pair, last = &sides[pair];
-                last->sum += std::clamp(ahead, -1.0, 1.0);
-                last->count += 1;
+                if (other != asked) {
+                  asked = other;
+                  side = &sides(own, other);
+                  if (side->count == 0) side->known = between(own, other) != Kind::None;
+                  if (!side->known) ahead = aheadOf(neurons, regions, {i, j}, own, other);
+                }
+                side->sum += ahead;
+                side->count += 1;
               }
             }
           }
         },
         kRows);
-    Sides sides;
+    Sides total;
     for (const Sides& part : parts)
-      for (const auto& [pair, side] : part) {
-        Side& total = sides[pair];
-        total.sum += side.sum, total.count += side.count;
+      for (const auto& [pair, side] : part.entries()) {
+        Side& sum = total(pair.first, pair.second);
+        sum.sum += side.sum, sum.count += side.count;
       }
     constexpr double kFewest = 3;
-    for (const auto& [pair, side] : sides) {
-      if (pair.first > pair.second || kinds_.contains(pair)) continue;
-      const auto back = sides.find({pair.second, pair.first});
-      if (back == sides.end() || side.count < kFewest || back->second.count < kFewest) continue;
-      if (side.sum < 0 && back->second.sum < 0) kinds_[pair] = Kind::Convex;
-      if (side.sum > 0 && back->second.sum > 0) kinds_[pair] = Kind::Concave;
+    for (const auto& [pair, side] : total.entries()) {
+      if (pair.first > pair.second || between(pair.first, pair.second) != Kind::None) continue;
+      const Side* back = total.find(pair.second, pair.first);
+      if (!back || side.count < kFewest || back->count < kFewest) continue;
+      if (side.sum < 0 && back->sum < 0) kinds_(pair.first, pair.second) = Kind::Convex;
+      if (side.sum > 0 && back->sum > 0) kinds_(pair.first, pair.second) = Kind::Concave;
     }
   }
 
-  std::map<Pair, Kind> kinds_;
+  // mark[beam] ≠ 0 where another label stands so many neurons on along the line or the beam.
+  static void markNear(const Grid<std::int32_t>& region, int line, int inside,
+                       std::vector<std::int32_t>& mark) {
+    const auto beams = static_cast<size_t>(region.cols()), reach = static_cast<size_t>(inside);
+    const std::int32_t* own = region.row(line).data();
+    const std::int32_t* above = line >= inside ? region.row(line - inside).data() : own;
+    const std::int32_t* below = line + inside < region.rows() ? region.row(line + inside).data() : own;
+    for (size_t j = 0; j < beams; ++j) mark[j] = (above[j] ^ own[j]) | (below[j] ^ own[j]);
+    for (size_t j = reach; j < beams; ++j) mark[j] |= own[j - reach] ^ own[j];
+    for (size_t j = 0; j + reach < beams; ++j) mark[j] |= own[j + reach] ^ own[j];
+  }
+  // How far the other plane lies behind a neuron of its own, metres.
+  static double aheadOf(const Neurons& neurons, const PlaneRegions& regions, GridIndex at, std::int32_t own,
+                        std::int32_t other) {
+    const Eigen::Vector3d q = neurons.q(at);
+    const double r = neurons.points.range(at);
+    return std::clamp(regions.planes[static_cast<size_t>(other)].rangeError(q, r) -
+                          regions.planes[static_cast<size_t>(own)].rangeError(q, r),
+                      -1.0, 1.0);
+  }
+
+  PairTable<Kind> kinds_;
 };
 
 class BorderRule {
@@ -101,49 +125,66 @@ public:
   std::int32_t operator()(GridIndex at, const Grid<std::int32_t>& now) const {
     if (!neurons_.hasReturn(at)) return kNoRegion;
     const std::int32_t own = now(at);
-    std::array<Choice, 9> choices{};
-    int kinds = 0, same = 0;
-    auto vote = [&](std::int32_t label, int worth) {
-      if (label == kNoRegion || !alive_[static_cast<size_t>(label)]) return;
-      int k = 0;
-      while (k < kinds && choices[static_cast<size_t>(k)].label != label) ++k;
-      if (k == kinds) choices[static_cast<size_t>(kinds++)].label = label;
-      choices[static_cast<size_t>(k)].votes += worth;
-    };
-    vote(own, 0);
-    for (const GridIndex& d : kLatticeDirections) {
-      const GridIndex from{at.row + d.row, at.col + d.col};
-      if (!now.contains(from)) continue;
-      vote(now(from), 1);
-      same += now(from) == own ? 1 : 0;
+    std::array<std::int32_t, 8> near;
+    const bool innermost = at.row > 0 && at.row + 1 < now.rows() && at.col > 0 && at.col + 1 < now.cols();
+    for (size_t d = 0; d < 8; ++d) {
+      const GridIndex from{at.row + kLatticeDirections[d].row, at.col + kLatticeDirections[d].col};
+      near[d] = innermost || now.contains(from) ? now(from) : kNoRegion;
     }
-    if (same == 8) return kinds > 0 ? own : kNoRegion;
-    for (int k = 0; k < kinds; ++k) weigh(at, choices[static_cast<size_t>(k)]);
+    std::array<Choice, 9> choices;
+    size_t kinds = 0;
+    // Which neighbours have a label, one bit each: their labels differ unpredictably at a border, so no
+    // branch depends on a single one.
+    const auto bearersOf = [&](std::int32_t label) {
+      unsigned bearers = 0;
+      for (size_t d = 0; d < 8; ++d) bearers |= static_cast<unsigned>(near[d] == label) << d;
+      return bearers;
+    };
+    const auto offer = [&](std::int32_t label, unsigned bearers) {
+      int votes = 0;
+      for (unsigned d = 0; d < 8; ++d) votes += static_cast<int>(bearers >> d & 1u);
+      if (alive_[static_cast<size_t>(label)]) choices[kinds++] = {label, votes, 0, 0, 0};
+    };
+    unsigned others = 0xffu & ~bearersOf(kNoRegion);
+    if (own != kNoRegion) {
+      const unsigned bearers = bearersOf(own);
+      offer(own, bearers);
+      others &= ~bearers;
+      if (bearers == 0xffu) return kinds > 0 ? own : kNoRegion;
+    }
+    while (others != 0) {
+      const std::int32_t label = near[static_cast<size_t>(std::countr_zero(others))];
+      const unsigned bearers = bearersOf(label);
+      offer(label, bearers);
+      others &= ~bearers;
+    }
+    if (kinds == 0) return kNoRegion;
+    const Neurons::Place place = neurons_.place(at);
+    for (size_t k = 0; k < kinds; ++k) weigh(place, choices[k]);
     // Of two planes that both fit, the one on the wrong side of their crease pays.
-    for (int a = 0; a < kinds; ++a)
-      for (int b = a + 1; b < kinds; ++b) {
-        Choice &x = choices[static_cast<size_t>(a)], &y = choices[static_cast<size_t>(b)];
+    for (size_t a = 0; a < kinds; ++a)
+      for (size_t b = a + 1; b < kinds; ++b) {
+        Choice &x = choices[a], &y = choices[b];
         if (x.cost >= kInfinite || y.cost >= kInfinite) continue;
         const Creases::Kind kind = creases_.between(x.label, y.label);
         if (kind == Creases::Kind::None) continue;
-        const bool xIsFarther = x.ahead > y.ahead;
+        const bool xIsFarther = x.off * y.cosine > y.off * x.cosine;
         Choice &right = xIsFarther == (kind == Creases::Kind::Convex) ? x : y, &wrong = &right == &x ? y : x;
         if (right.votes >= kFewestVotes) wrong.cost += kWrongSide;
       }
     std::int32_t best = kNoRegion;
     double least = kInfinite;
-    for (int k = 0; k < kinds; ++k)
-      if (choices[static_cast<size_t>(k)].cost < least)
-        least = choices[static_cast<size_t>(k)].cost, best = choices[static_cast<size_t>(k)].label;
+    for (size_t k = 0; k < kinds; ++k)
+      if (choices[k].cost < least) least = choices[k].cost, best = choices[k].label;
     return best;
   }
 
 private:
   struct Choice {
-    std::int32_t label = kNoRegion;
-    int votes = 0;
-    double cost = 0;
-    double ahead = 0;  // how far behind the measured point the plane lies along the beam
+    std::int32_t label;
+    int votes;
+    double cost;
+    double off, cosine;  // by their ratio the plane lies behind the measured point along the beam
   };
   static constexpr double kInfinite = 1e30;
   static constexpr double kVote = 0.6;  // worth of an agreeing neighbour, beside half a squared error in σ
@@ -152,11 +193,11 @@ private:
   // more, and a region must not run out along it.
   static constexpr int kFewestVotes = 3;
 
-  void weigh(GridIndex at, Choice& choice) const {
-    const Neurons::Misfit misfit = neurons_.misfit(at, planes_[static_cast<size_t>(choice.label)]);
-    choice.ahead = misfit.along;
-    choice.cost = misfit.error <= kFarSigmas
-                      ? 0.5 * (misfit.error * misfit.error + misfit.tilt) - kVote * choice.votes
+  void weigh(const Neurons::Place& place, Choice& choice) const {
+    const Neurons::Misfit misfit = neurons_.misfit(place, planes_[static_cast<size_t>(choice.label)]);
+    choice.off = misfit.off, choice.cosine = misfit.cosine;
+    choice.cost = misfit.squares <= kFarSigmas * kFarSigmas
+                      ? 0.5 * (misfit.squares + misfit.tilt) - kVote * choice.votes
                       : kInfinite;
   }
 
@@ -167,27 +208,25 @@ private:
 };
 
 // Neurons that have a neighbour of another region, or must leave their own.
-std::vector<GridIndex> borderOf(const Neurons& neurons, const std::vector<char>& alive,
-                                const Grid<std::int32_t>& region, const Execution& execution) {
+std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegions& regions,
+                                const Execution& execution) {
+  const Grid<std::int32_t>& region = regions.region;
+  bool someLeave = false;
+  for (size_t l = 0; l < alive.size(); ++l) someLeave = someLeave || (!alive[l] && regions.size[l] > 0);
   constexpr int kRows = 32;
   std::vector<std::vector<GridIndex>> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
   parallelRows(
       region.rows(), execution,
       [&](int begin, int end) {
         std::vector<GridIndex>& part = parts[static_cast<size_t>(begin / kRows)];
+        std::vector<std::int32_t> mark;
         for (int i = begin; i < end; ++i) {
-          const std::int32_t* row = region.row(i).data();
-          const std::int32_t *above = region.row(std::max(0, i - 1)).data(),
-                             *below = region.row(std::min(region.rows() - 1, i + 1)).data();
-          for (int j = 0; j < region.cols(); ++j) {
-            const std::int32_t own = row[j];
-            const int l = std::max(0, j - 1), r = std::min(region.cols() - 1, j + 1);
-            const bool inside = above[l] == own && above[j] == own && above[r] == own && row[l] == own &&
-                                row[r] == own && below[l] == own && below[j] == own && below[r] == own;
-            if (!inside ||
-                (own != kNoRegion && (!alive[static_cast<size_t>(own)] || !neurons.hasReturn({i, j}))))
-              part.push_back({i, j});
-          }
+          markBorders(region, i, Adjacency::Eight, mark);
+          if (someLeave)
+            forEachRun(region, i, kNoRegion, [&](std::int32_t l, int from, int to) {
+              if (!alive[static_cast<size_t>(l)]) std::fill(mark.begin() + from, mark.begin() + to, 1);
+            });
+          forEachMarked(mark, [&](int j) { part.push_back({i, j}); });
         }
       },
       kRows);
@@ -198,25 +237,25 @@ std::vector<GridIndex> borderOf(const Neurons& neurons, const std::vector<char>&
 
 }  // namespace
 
-size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
-                     PlaneRegions& regions, const Execution& execution) {
-  const Creases creases(neurons, regions, execution);
-  const BorderRule rule(neurons, regions.planes, alive, creases);
+BorderNetwork::BorderNetwork(const Neurons& neurons)
+    : neurons_(neurons),
+      listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1),
+      left_(neurons.points.range.rows(), neurons.points.range.cols()) {}
+
+size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, PlaneRegions& regions,
+                             const Execution& execution) {
+  const Creases creases(neurons_, regions, execution);
+  const BorderRule rule(neurons_, regions.planes, alive, creases);
   Grid<std::int32_t>& region = regions.region;
   // A neuron reads its 3 × 3 neighbours only, so it can change only after one of them did: the list of such
   // neurons is all a synchronous step has to visit.
-  std::vector<GridIndex> active = borderOf(neurons, alive, region, execution), next;
-  Grid<int> listed(region.rows(), region.cols(), -1);  // the step a neuron was last put on the list
-  struct Left {
-    std::int32_t label = kNoRegion;
-    int step = -2;
-  };
-  Grid<Left> left(region.rows(), region.cols());  // what a neuron was before, until which step
+  std::vector<GridIndex> active = borderOf(alive, regions, execution), next;
   std::vector<std::int32_t> wanted;
   size_t changes = 0;
-  for (int step = 0; step < mostSteps && !active.empty(); ++step) {
+  const int last = step_ + mostSteps;
+  for (; step_ < last && !active.empty(); ++step_) {
     wanted.resize(active.size());
-    constexpr int kChunk = 1024;
+    constexpr int kChunk = 512;
     parallelRows(
         static_cast<int>(active.size()), execution,
         [&](int begin, int end) {
@@ -227,22 +266,25 @@ size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int
     next.clear();
     for (size_t k = 0; k < active.size(); ++k) {
       const GridIndex at = active[k];
-      if (wanted[k] == region(at)) continue;
+      std::int32_t& own = region(at);
+      if (wanted[k] == own) continue;
       // Neighbours that change at the same time can swap for ever: nobody goes straight back.
-      if (left(at).step == step - 1 && left(at).label == wanted[k]) continue;
-      left(at) = {region(at), step};
-      region(at) = wanted[k];
+      Left& left = left_(at);
+      if (left.step == step_ - 1 && left.label == wanted[k]) continue;
+      left = {own, step_};
+      own = wanted[k];
       ++changes;
       for (int di = -1; di <= 1; ++di)
         for (int dj = -1; dj <= 1; ++dj) {
           const GridIndex near{at.row + di, at.col + dj};
-          if (!region.contains(near) || listed(near) == step) continue;
-          listed(near) = step;
+          if (!region.contains(near) || listed_(near) == step_) continue;
+          listed_(near) = step_;
           next.push_back(near);
         }
     }
     std::swap(active, next);
   }
+  ++step_;  // going back on a step of the last call is allowed
   return changes;
 }
 

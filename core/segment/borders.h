@@ -14,9 +14,25 @@ namespace stratascope {
 /// around them: a synchronous rule of the network, at most `mostSteps` steps. Where two planes form a crease
 /// the beam itself tells the side: on a convex edge the surface is the farther of the two planes along the
 /// beam, on a concave one the nearer; no noise enters that. Elsewhere range error, normal and agreeing
-/// neighbours decide. Regions not alive give their neurons away. Does not refit the planes. Returns
-/// how many neurons changed.
-size_t settleBorders(const Neurons& neurons, const std::vector<char>& alive, int mostSteps,
-                     PlaneRegions& regions, const Execution& execution);
+/// neighbours decide. Regions not alive give their neurons away. Does not refit the planes.
+class BorderNetwork {
+public:
+  /// neurons: must live as long.
+  explicit BorderNetwork(const Neurons& neurons);
+
+  /// Returns how many neurons changed.
+  size_t settle(const std::vector<char>& alive, int mostSteps, PlaneRegions& regions,
+                const Execution& execution);
+
+private:
+  struct Left {
+    std::int32_t label = kNoRegion;
+    int step = -2;
+  };
+  const Neurons& neurons_;
+  int step_ = 0;      // goes on from one call to the next, so that the grids need not be cleared
+  Grid<int> listed_;  // the step a neuron was last put on the list
+  Grid<Left> left_;   // what a neuron was before, until which step
+};
 
 }  // namespace stratascope

@@ -16,20 +16,44 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// d(x, y) = c·(1, x, y, x², xy, y²), weighted by the noise across the plane.
-struct Quadratic {
-  Matrix6 a = Matrix6::Zero();
-  Vector6 b = Vector6::Zero();
-  double squares = 0, n = 0;
+class Quadratic {
+public:
+  double n = 0;
 
   void add(double x, double y, double d, double weight) {
-    Vector6 t;
-    t << 1, x, y, x * x, x * y, y * y;
-    a += weight * t * t.transpose();
-    b += weight * d * t;
-    squares += weight * d * d;
+    const double xx = x * x, xy = x * y, yy = y * y, wxx = weight * xx, wxy = weight * xy, wyy = weight * yy,
+                 wd = weight * d;
+    w_ += weight, x_ += weight * x, y_ += weight * y, xx_ += wxx, xy_ += wxy, yy_ += wyy;
+    xxx_ += wxx * x, xxy_ += wxx * y, xyy_ += wyy * x, yyy_ += wyy * y;
+    xxxx_ += wxx * xx, xxxy_ += wxx * xy, xxyy_ += wxx * yy, xyyy_ += wxy * yy, yyyy_ += wyy * yy;
+    d_ += wd, xd_ += wd * x, yd_ += wd * y, xxd_ += wd * xx, xyd_ += wd * xy, yyd_ += wd * yy;
+    squares_ += wd * d;
     n += 1;
   }
-  double errorOf(const Vector6& c) const { return squares - 2 * c.dot(b) + c.dot(a * c); }
+  /// Of the normal equations a·c = b.
+  Matrix6 a() const {
+    Matrix6 m;
+    m << w_, x_, y_, xx_, xy_, yy_,            //
+        x_, xx_, xy_, xxx_, xxy_, xyy_,        //
+        y_, xy_, yy_, xxy_, xyy_, yyy_,        //
+        xx_, xxx_, xxy_, xxxx_, xxxy_, xxyy_,  //
+        xy_, xxy_, xyy_, xxxy_, xxyy_, xyyy_,  //
+        yy_, xyy_, yyy_, xxyy_, xyyy_, yyyy_;
+    return m;
+  }
+  Vector6 b() const {
+    Vector6 v;
+    v << d_, xd_, yd_, xxd_, xyd_, yyd_;
+    return v;
+  }
+  double squares() const { return squares_; }
+  double errorOf(const Vector6& c) const { return squares_ - 2 * c.dot(b()) + c.dot(a() * c); }
+
+private:
+  // Σ weight · what the name says.
+  double w_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0, xxx_ = 0, xxy_ = 0, xyy_ = 0, yyy_ = 0;
+  double xxxx_ = 0, xxxy_ = 0, xxyy_ = 0, xyyy_ = 0, yyyy_ = 0;
+  double d_ = 0, xd_ = 0, yd_ = 0, xxd_ = 0, xyd_ = 0, yyd_ = 0, squares_ = 0;
 };
 
 struct Verdict {
@@ -42,14 +66,16 @@ struct Verdict {
 Verdict judge(const Quadratic& q) {
   Verdict verdict;
   if (q.n < 12) return verdict;
-  const Eigen::LDLT<Matrix6> full(q.a);
-  const Eigen::LDLT<Eigen::Matrix3d> flat(q.a.topLeftCorner<3, 3>());
+  const Matrix6 a = q.a();
+  const Vector6 b = q.b();
+  const Eigen::LDLT<Matrix6> full(a);
+  const Eigen::LDLT<Eigen::Matrix3d> flat(a.topLeftCorner<3, 3>());
   if (full.info() != Eigen::Success || flat.info() != Eigen::Success) return verdict;
-  const Vector6 c = full.solve(q.b);
+  const Vector6 c = full.solve(b);
   if (!c.allFinite()) return verdict;
   verdict.coefficients = c;
-  verdict.quadraticError = std::max(0.0, q.squares - c.dot(q.b));
-  verdict.planeError = std::max(0.0, q.squares - q.b.head<3>().dot(flat.solve(q.b.head<3>())));
+  verdict.quadraticError = std::max(0.0, q.squares() - c.dot(b));
+  verdict.planeError = std::max(0.0, q.squares() - b.head<3>().dot(flat.solve(b.head<3>())));
   Eigen::Matrix2d hessian;
   hessian << 2 * c(3), c(4), c(4), 2 * c(5);
   const double bend = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian, Eigen::EigenvaluesOnly)
@@ -73,12 +99,31 @@ struct Frame {
   }
 };
 
-}  // namespace
+/// Which neurons near a region were seen already: its bounding box, and a margin.
+class Visited {
+public:
+  Visited(const std::vector<GridIndex>& members, int margin) {
+    int lastRow = 0, lastCol = 0;
+    first_ = members.front();
+    for (const GridIndex& at : members) {
+      first_ = {std::min(first_.row, at.row), std::min(first_.col, at.col)};
+      lastRow = std::max(lastRow, at.row), lastCol = std::max(lastCol, at.col);
+    }
+    first_ = {first_.row - margin, first_.col - margin};
+    seen_ = Grid<char>(lastRow + margin - first_.row + 1, lastCol + margin - first_.col + 1, 0);
+  }
+  char& operator()(GridIndex at) { return seen_({at.row - first_.row, at.col - first_.col}); }
 
-std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& regions) {
+private:
+  GridIndex first_;
+  Grid<char> seen_;
+};
+
+constexpr size_t kEnough = 3000;  // neurons to tell a curve by
+
+bool isCurved(const Neurons& neurons, const PlaneRegions& regions, size_t l,
+              const std::vector<GridIndex>& members) {
   const Grid<std::int32_t>& region = regions.region;
-  constexpr size_t kEnough = 3000;  // neurons to tell a curve by
-  const std::vector<std::vector<GridIndex>> members = sampleOf(regions, kEnough);
   constexpr double kSignificant = 40;   // χ² that three more coefficients must save
   constexpr double kNoticeable = 0.12;  // χ² a neuron, too: some strays at a border make no curve
   constexpr double kMuch = 0.25;        // of the plane's χ²: scanners bend walls, too, a little, close by
@@ -91,64 +136,69 @@ std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& 
   constexpr double kFitsWell = 2.0;       // χ² a neuron up to which the quadratic counts as an explanation
   constexpr int kAround = 4;              // neurons
   constexpr double kNarrowGrowth = 1.35;  // surroundings that add this much make a region narrow
-  std::vector<char> curved(regions.planes.size(), 0);
-  Grid<std::int32_t> visited(region.rows(), region.cols(), kNoRegion);
-  for (size_t l = 0; l < members.size(); ++l) {
-    if (members[l].size() < 12) continue;
-    const Frame frame(regions.planes[l], neurons.q(members[l][members[l].size() / 2]));
-    auto add = [&](Quadratic& quadratic, GridIndex at) {
-      const Eigen::Vector3d q = neurons.q(at), d = q - frame.origin;
-      const double cosine = std::max(0.1, std::abs(frame.normal.dot(q)) / q.norm());
-      quadratic.add(frame.u.dot(d), frame.v.dot(d), frame.normal.dot(d),
-                    1.0 / (neurons.variance(at, cosine) * cosine * cosine));
-    };
-    Quadratic own;
-    for (const GridIndex& at : members[l]) {
-      add(own, at);
-      visited(at) = static_cast<std::int32_t>(l);
-    }
-    const Verdict inside = judge(own);
-    const bool sampled = members[l].size() < regions.size[l];
-    const double saved = inside.planeError - inside.quadraticError;
-    const bool bent = inside.radius < kLargestRadius &&
-                      saved > std::max({kSignificant, kNoticeable * own.n, kMuch * inside.planeError});
-    const bool ofAPipe =
-        inside.radius < kPipeRadius && saved > std::max(kSurelyBent, kHardlyNoticeable * own.n);
-    if (inside.known && (bent || ofAPipe) && inside.quadraticError < kFitsWell * own.n) {
-      curved[l] = 1;
-      continue;
-    }
-    if (sampled) continue;  // large, so not narrow
-    // Narrow regions bend too little to tell; together with their surroundings they show it.
-    Quadratic wide = own;
-    std::vector<GridIndex> front = members[l], next;
-    for (int step = 0; step < kAround; ++step) {
-      next.clear();
-      for (const GridIndex& at : front)
-        for (const GridIndex& d : kLatticeDirections) {
-          const GridIndex to{at.row + d.row, at.col + d.col};
-          if (!region.contains(to) || visited(to) == static_cast<std::int32_t>(l) || !neurons.hasReturn(to))
-            continue;
-          const double r0 = neurons.points.range(at), r1 = neurons.points.range(to);
-          if (std::abs(r0 - r1) > 0.05 + 0.02 * r0) continue;  // a jump
-          visited(to) = static_cast<std::int32_t>(l);
-          add(wide, to);
-          next.push_back(to);
-        }
-      std::swap(front, next);
-    }
-    if (wide.n < kNarrowGrowth * own.n) continue;
-    const Verdict together = judge(wide);
-    const bool explained =
-        together.radius < kLargestRadius && together.planeError - together.quadraticError > kSignificant &&
-        together.quadraticError < kFitsWell * wide.n &&
-        own.errorOf(together.coefficients) - inside.planeError < std::max(kSignificant, kNoMatter * own.n);
-    // Farther around a pipe than a quadratic follows; but strip and surroundings both bend as pipes do.
-    const bool bothBend =
-        inside.radius < kPipeRadius && saved > kRarelyChance && together.radius < kPipeRadius;
-    curved[l] = inside.known && together.known && together.planeError > 2 * together.quadraticError &&
-                (explained || bothBend);
+  if (members.size() < 12) return false;
+  const Frame frame(regions.planes[l], neurons.q(members[members.size() / 2]));
+  auto add = [&](Quadratic& quadratic, GridIndex at) {
+    const Eigen::Vector3d q = neurons.q(at), d = q - frame.origin;
+    const double cosine = std::max(0.1, std::abs(frame.normal.dot(q)) / neurons.points.range(at));
+    quadratic.add(frame.u.dot(d), frame.v.dot(d), frame.normal.dot(d),
+                  1.0 / (neurons.variance(at, cosine) * cosine * cosine));
+  };
+  Quadratic own;
+  for (const GridIndex& at : members) add(own, at);
+  const Verdict inside = judge(own);
+  const bool sampled = members.size() < regions.size[l];
+  const double saved = inside.planeError - inside.quadraticError;
+  const bool bent = inside.radius < kLargestRadius &&
+                    saved > std::max({kSignificant, kNoticeable * own.n, kMuch * inside.planeError});
+  const bool ofAPipe =
+      inside.radius < kPipeRadius && saved > std::max(kSurelyBent, kHardlyNoticeable * own.n);
+  if (inside.known && (bent || ofAPipe) && inside.quadraticError < kFitsWell * own.n) return true;
+  if (sampled) return false;  // large, so not narrow
+  // Narrow regions bend too little to tell; together with their surroundings they show it.
+  Quadratic wide = own;
+  Visited visited(members, kAround);
+  for (const GridIndex& at : members) visited(at) = 1;
+  std::vector<GridIndex> front = members, next;
+  for (int step = 0; step < kAround; ++step) {
+    next.clear();
+    for (const GridIndex& at : front)
+      for (const GridIndex& d : kLatticeDirections) {
+        const GridIndex to{at.row + d.row, at.col + d.col};
+        if (!region.contains(to) || visited(to) || !neurons.hasReturn(to)) continue;
+        const double r0 = neurons.points.range(at), r1 = neurons.points.range(to);
+        if (std::abs(r0 - r1) > 0.05 + 0.02 * r0) continue;  // a jump
+        visited(to) = 1;
+        add(wide, to);
+        next.push_back(to);
+      }
+    std::swap(front, next);
   }
+  if (wide.n < kNarrowGrowth * own.n) return false;
+  const Verdict together = judge(wide);
+  const bool explained =
+      together.radius < kLargestRadius && together.planeError - together.quadraticError > kSignificant &&
+      together.quadraticError < kFitsWell * wide.n &&
+      own.errorOf(together.coefficients) - inside.planeError < std::max(kSignificant, kNoMatter * own.n);
+  // Farther around a pipe than a quadratic follows; but strip and surroundings both bend as pipes do.
+  const bool bothBend = inside.radius < kPipeRadius && saved > kRarelyChance && together.radius < kPipeRadius;
+  return inside.known && together.known && together.planeError > 2 * together.quadraticError &&
+         (explained || bothBend);
+}
+
+}  // namespace
+
+std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& regions,
+                                    const Execution& execution) {
+  const std::vector<std::vector<GridIndex>> members = sampleOf(regions, kEnough);
+  std::vector<char> curved(regions.planes.size(), 0);
+  parallelRows(
+      static_cast<int>(curved.size()), execution,
+      [&](int begin, int end) {
+        for (auto l = static_cast<size_t>(begin); l < static_cast<size_t>(end); ++l)
+          curved[l] = isCurved(neurons, regions, l, members[l]) ? 1 : 0;
+      },
+      2);
   return curved;
 }
 

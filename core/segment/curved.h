@@ -13,7 +13,8 @@ namespace stratascope {
 /// the region, or a narrow region together with what surrounds it without a jump, significantly better than a
 /// plane does, and bends with a radius below kLargestRadius. A crease is no such thing: a quadratic fits it
 /// badly.
-std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& regions);
+std::vector<char> findCurvedRegions(const Neurons& neurons, const PlaneRegions& regions,
+                                    const Execution& execution);
 
 inline constexpr double kLargestRadius = 1.5;  ///< metres; walls and floors bend, too, but wider
 

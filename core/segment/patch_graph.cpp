@@ -4,30 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
-#include <tuple>
 
 namespace stratascope {
 
-int PatchGraph::addPatch(const PatchSums& sums) {
-  const int index = static_cast<int>(patches_.size());
-  patches_.push_back({sums, fitRangePlane(sums.measured), fitRangePlane(sums.local).residual, index, {}});
-  return index;
+namespace {
+
+constexpr int kPatchesOfPart = 256;
+
+}  // namespace
+
+void PatchGraph::Patch::fit() {
+  plane = fitRangePlane(sums.measured);
+  residual = fitRangePlane(sums.local).residual;
 }
 
-void PatchGraph::connect(int a, int b) {
-  if (a == b) return;
-  // Along a shared border the same pair is told again and again.
-  std::vector<int>&ofA = patches_[static_cast<size_t>(a)].neighbours,
-  &ofB = patches_[static_cast<size_t>(b)].neighbours;
-  if (!ofA.empty() && ofA.back() == b && !ofB.empty() && ofB.back() == a) return;
-  ofA.push_back(b);
-  ofB.push_back(a);
+PatchGraph::PatchGraph(const std::vector<PatchSums>& sums, const Execution& execution)
+    : patches_(sums.size()), parent_(sums.size()), version_(sums.size(), 0), mark_(sums.size(), 0) {
+  std::iota(parent_.begin(), parent_.end(), 0);
+  parallelRows(
+      static_cast<int>(sums.size()), execution,
+      [&](int begin, int end) {
+        for (auto p = static_cast<size_t>(begin); p < static_cast<size_t>(end); ++p) {
+          patches_[p].sums = sums[p];
+          patches_[p].fit();
+        }
+      },
+      kPatchesOfPart);
+}
+
+void PatchGraph::connect(std::span<const LabelPair> pairs) {
+  std::vector<size_t> degree(patches_.size(), 0);
+  for (const auto& [a, b] : pairs) ++degree[static_cast<size_t>(a)], ++degree[static_cast<size_t>(b)];
+  for (size_t p = 0; p < patches_.size(); ++p)
+    patches_[p].neighbours.reserve(patches_[p].neighbours.size() + degree[p]);
+  for (const auto& [a, b] : pairs) {
+    if (a == b) continue;
+    patches_[static_cast<size_t>(a)].neighbours.push_back(b);
+    patches_[static_cast<size_t>(b)].neighbours.push_back(a);
+  }
 }
 
 int PatchGraph::find(int patch) const {
-  while (patches_[static_cast<size_t>(patch)].parent != patch)
-    patch = patches_[static_cast<size_t>(patch)].parent;
+  while (parent_[static_cast<size_t>(patch)] != patch) patch = parent_[static_cast<size_t>(patch)];
   return patch;
 }
 
@@ -46,71 +66,117 @@ PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   const RangePlane plane = fitRangePlane(joint);
   if (!plane.valid) return {0, false};
   const double growth = std::max(0.0, plane.residual - pa.plane.residual - pb.plane.residual);
-  return {disagreement / smaller, growth <= rules.chiSquare + slack};
+  // A region without a normal among its neurons has nothing to say: it follows a neighbour.
+  return {smaller > 0 ? disagreement / smaller : 0.0, growth <= rules.chiSquare + slack};
+}
+
+PatchGraph::Entry PatchGraph::entry(int a, int b, double disagreement) const {
+  return {disagreement, static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b),
+          version_[static_cast<size_t>(a)] + version_[static_cast<size_t>(b)]};
+}
+
+std::vector<PatchGraph::Entry> PatchGraph::weighAll(const Rules& rules, const Execution& execution) {
+  // A parent is smaller than its children, so in ascending order each finds its root in one step.
+  for (int& parent : parent_) parent = parent_[static_cast<size_t>(parent)];
+  const int patches = static_cast<int>(patches_.size());
+  std::vector<std::vector<Entry>> parts(static_cast<size_t>((patches + kPatchesOfPart - 1) / kPatchesOfPart));
+  parallelRows(
+      patches, execution,
+      [&](int begin, int end) {
+        std::vector<Entry>& part = parts[static_cast<size_t>(begin / kPatchesOfPart)];
+        for (int a = begin; a < end; ++a) {
+          if (parent_[static_cast<size_t>(a)] != a) continue;
+          auto& list = patches_[static_cast<size_t>(a)].neighbours;
+          for (int& b : list) b = find(b);
+          std::sort(list.begin(), list.end());
+          list.erase(std::unique(list.begin(), list.end()), list.end());
+          for (const int b : list) {
+            if (a >= b) continue;
+            const Growth g = growth(a, b, rules);
+            if (g.allowed) part.push_back(entry(a, b, g.disagreement));
+          }
+        }
+      },
+      kPatchesOfPart);
+  std::vector<Entry> entries;
+  for (const auto& part : parts) entries.insert(entries.end(), part.begin(), part.end());
+  return entries;
+}
+
+int PatchGraph::root(int patch) {
+  while (parent_[static_cast<size_t>(patch)] != patch) {
+    int& parent = parent_[static_cast<size_t>(patch)];
+    patch = parent = parent_[static_cast<size_t>(parent)];  // and the way is shorter the next time
+  }
+  return patch;
+}
+
+bool PatchGraph::touch(int a, int b) {
+  // Either knows the other; a large region's list is long.
+  if (patches_[static_cast<size_t>(a)].neighbours.size() > patches_[static_cast<size_t>(b)].neighbours.size())
+    std::swap(a, b);
+  const auto& list = patches_[static_cast<size_t>(a)].neighbours;
+  return std::any_of(list.begin(), list.end(), [&](int c) { return root(c) == b; });
+}
+
+// b goes into a. `added`: the neighbours that a did not have before.
+void PatchGraph::join(int a, int b, std::vector<int>& added) {
+  added.clear();
+  for (const int neighbour : patches_[static_cast<size_t>(b)].neighbours) {
+    const int c = root(neighbour);
+    if (c == a || c == b || mark_[static_cast<size_t>(c)]) continue;
+    mark_[static_cast<size_t>(c)] = 1;
+    if (!touch(a, c)) added.push_back(c);
+  }
+  for (const int neighbour : patches_[static_cast<size_t>(b)].neighbours)
+    mark_[static_cast<size_t>(root(neighbour))] = 0;
+  Patch &keep = patches_[static_cast<size_t>(a)], &gone = patches_[static_cast<size_t>(b)];
+  keep.sums += gone.sums;
+  keep.fit();
+  parent_[static_cast<size_t>(b)] = a;
+  ++version_[static_cast<size_t>(a)];
+  gone.neighbours = {};
+  for (const int c : added) {
+    keep.neighbours.push_back(c);
+    patches_[static_cast<size_t>(c)].neighbours.push_back(a);
+  }
 }
 
 void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
-  // Lowest growth first; ties by index, so the order is the same everywhere.
-  using Entry = std::tuple<double, int, int, int, int>;  // growth, a, b, version of a, version of b
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::vector<int> version(patches_.size(), 0);
-  auto push = [&](int a, int b) {
-    if (a > b) std::swap(a, b);
-    const Growth g = growth(a, b, rules);
-    if (g.allowed)
-      queue.emplace(g.disagreement, a, b, version[static_cast<size_t>(a)], version[static_cast<size_t>(b)]);
+  // Lowest growth first; ties by index, so the order is the same everywhere. No branch: which of two entries
+  // comes first is anybody's guess, and the queue asks a dozen times for each.
+  const auto later = [](const Entry& x, const Entry& y) {
+    return static_cast<bool>(
+        static_cast<int>(x.disagreement > y.disagreement) |
+        (static_cast<int>(x.disagreement == y.disagreement) & static_cast<int>(x.pair > y.pair)));
   };
   // A pair refused while both were small may be welcome once they have grown (and chance alone refuses one in
   // ten thousand), so all pairs are offered again until nothing joins any more.
-  std::vector<int> mark(patches_.size(), -1);
   bool joined = true;
   size_t popped = 0;
+  std::vector<int> added;
   while (joined) {
     joined = false;
-    for (size_t a = 0; a < patches_.size(); ++a) {
-      if (patches_[a].parent != static_cast<int>(a)) continue;
-      auto& list = patches_[a].neighbours;
-      for (int& b : list) b = find(b);
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-      for (int b : list)
-        if (static_cast<int>(a) < b) push(static_cast<int>(a), b);
-    }
+    std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later, weighAll(rules, execution));
+    const auto push = [&](int a, int b) {
+      if (a > b) std::swap(a, b);
+      const Growth g = growth(a, b, rules);
+      if (g.allowed) queue.push(entry(a, b, g.disagreement));
+    };
     while (!queue.empty()) {
       if (popped++ % 4096 == 0) throwIfStopped(execution);
-      const auto [cost, a, b, va, vb] = queue.top();
+      const Entry top = queue.top();
+      const int a = top.a(), b = top.b();
       queue.pop();
-      if (find(a) != a || find(b) != b) continue;
-      if (version[static_cast<size_t>(a)] != va || version[static_cast<size_t>(b)] != vb) {
+      if (root(a) != a || root(b) != b) continue;
+      if (version_[static_cast<size_t>(a)] + version_[static_cast<size_t>(b)] != top.versions) {
         push(a, b);  // one of them grew since: weigh the pair anew
         continue;
       }
       joined = true;
-      Patch &keep = patches_[static_cast<size_t>(a)], &gone = patches_[static_cast<size_t>(b)];
-      keep.sums += gone.sums;
-      keep.plane = fitRangePlane(keep.sums.measured);
-      keep.residual = fitRangePlane(keep.sums.local).residual;
-      gone.parent = a;
-      ++version[static_cast<size_t>(a)];
-      // The pairs of `a` are weighed anew when they come up; those of `b` become pairs of `a` unless it had
-      // them.
-      for (int c : keep.neighbours) mark[static_cast<size_t>(find(c))] = a;
-      std::vector<int> added;
-      for (int c : gone.neighbours) {
-        const int root = find(c);
-        if (root == a || mark[static_cast<size_t>(root)] == a) continue;
-        mark[static_cast<size_t>(root)] = a;
-        added.push_back(root);
-      }
-      for (int c : keep.neighbours) mark[static_cast<size_t>(find(c))] = -1;
-      for (int c : added) mark[static_cast<size_t>(c)] = -1;
-      for (int c : added) {
-        keep.neighbours.push_back(c);
-        patches_[static_cast<size_t>(c)].neighbours.push_back(a);
-        push(a, c);
-      }
-      gone.neighbours.clear();
-      gone.neighbours.shrink_to_fit();
+      // The pairs of a are weighed anew when they come up; those of b become pairs of a unless it had them.
+      join(a, b, added);
+      for (const int c : added) push(a, c);
     }
   }
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/grid.h"
 #include "base/parallel_rows.h"
 #include "layers/range_plane_fit.h"
+#include "segment/pair_table.h"
 
 namespace stratascope {
 
@@ -28,7 +30,8 @@ struct PatchSums {
 
 /// Regions joined greedily over a graph of neighbours: always the pair whose local planes disagree least. A
 /// few points say little about a plane, but their windows reached far and never across an edge; so local
-/// planes order the joins, and the measured points confirm them. Single-threaded, independent of the machine.
+/// planes order the joins, and the measured points confirm them. Weighing all pairs runs on all threads, the
+/// joins one after another; the result is independent of threads and machine.
 class PatchGraph {
 public:
   struct Rules {
@@ -38,11 +41,11 @@ public:
     double cosLargestAngle = -1;  ///< mean normals farther apart than this never join
   };
 
-  /// Returns its index.
-  int addPatch(const PatchSums& sums);
+  /// Patches have the indices of their sums.
+  PatchGraph(const std::vector<PatchSums>& sums, const Execution& execution);
   size_t size() const { return patches_.size(); }
-  /// Tells that two patches touch. Order and repetition do not matter.
-  void connect(int a, int b);
+  /// Tells which patches touch. Order and repetition do not matter.
+  void connect(std::span<const LabelPair> pairs);
   void joinAll(const Rules& rules, const Execution& execution);
 
   /// The patch that stands for all joined with this one: the smallest index among them.
@@ -55,15 +58,31 @@ private:
     PatchSums sums;
     RangePlane plane;     // of the measured points
     double residual = 0;  // of the local planes about their mean
-    int parent = -1;
     std::vector<int> neighbours;
+    void fit();
+  };
+  struct Entry {  // of the queue: two patches as they were when weighed
+    double disagreement;
+    std::uint64_t pair;  // the smaller index in the upper half
+    int versions;        // of both, added: they only rise
+    int a() const { return static_cast<int>(pair >> 32); }
+    int b() const { return static_cast<int>(pair & 0xffffffffu); }
   };
   struct Growth {
     double disagreement;
     bool allowed;
   };
   Growth growth(int a, int b, const Rules& rules) const;
+  Entry entry(int a, int b, double disagreement) const;
+  /// All pairs of touching roots that may join, weighed.
+  std::vector<Entry> weighAll(const Rules& rules, const Execution& execution);
+  int root(int patch);  // find(), and shortens the way
+  bool touch(int a, int b);
+  void join(int a, int b, std::vector<int>& added);
+
   std::vector<Patch> patches_;
+  std::vector<int> parent_, version_;
+  std::vector<char> mark_;
 };
 
 }  // namespace stratascope

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "segment/whole_block.h"
 
 namespace stratascope {
 
@@ -29,19 +30,31 @@ Patches::Patches(const Neurons& neurons, const Execution& execution)
   const int rows = (lines + blockLines_ - 1) / blockLines_, cols = (beams + kBlockBeams - 1) / kBlockBeams;
   patch_ = Grid<std::int32_t>(lines, beams, kNoRegion);
   ofBlock_ = Grid<PatchSums>(rows, cols);
+  wholePatch_ = Grid<std::int32_t>(rows, cols, kNoRegion);
   // Rows of blocks label their patches from 0, then all are numbered through.
   std::vector<std::vector<PatchSums>> ofRow(static_cast<size_t>(rows));
   parallelRows(
       rows, execution,
       [&](int begin, int end) {
         std::vector<GridIndex> stack;
-        for (int r = begin; r < end; ++r)
+        WholeBlock values(neurons_, cosAgree_);
+        for (int r = begin; r < end; ++r) {
+          std::vector<PatchSums>& sums = ofRow[static_cast<size_t>(r)];
           for (int c = 0; c < cols; ++c) {
-            std::vector<PatchSums>& sums = ofRow[static_cast<size_t>(r)];
+            const Block b = block(r, c);
+            if (b.endBeam - b.beam == kBlockBeams && values.read({b.line, b.beam}, b.endLine - b.line) &&
+                values.allAgree()) {
+              wholePatch_({r, c}) = static_cast<std::int32_t>(sums.size());
+              for (int i = b.line; i < b.endLine; ++i)
+                std::fill_n(&patch_({i, b.beam}), kBlockBeams, wholePatch_({r, c}));
+              ofBlock_({r, c}) = sums.emplace_back(values.sums());
+              continue;
+            }
             const size_t before = sums.size();
-            labelBlock(block(r, c), sums, stack);
+            labelBlock(b, sums, stack);
             for (size_t k = before; k < sums.size(); ++k) ofBlock_({r, c}) += sums[k];
           }
+        }
       },
       1);
   std::vector<std::int32_t> firstOfRow(1, 0);
@@ -49,11 +62,17 @@ Patches::Patches(const Neurons& neurons, const Execution& execution)
     firstOfRow.push_back(firstOfRow.back() + static_cast<std::int32_t>(sums.size()));
     sums_.insert(sums_.end(), sums.begin(), sums.end());
   }
-  parallelRows(lines, execution, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      for (std::int32_t& p : patch_.row(i))
-        if (p != kNoRegion) p += firstOfRow[static_cast<size_t>(i / blockLines_)];
-  });
+  parallelRows(
+      rows, execution,
+      [&](int begin, int end) {
+        for (int r = begin; r < end; ++r) {
+          const std::int32_t first = firstOfRow[static_cast<size_t>(r)];
+          for (std::int32_t& p : wholePatch_.row(r)) p += p != kNoRegion ? first : 0;
+          for (int i = r * blockLines_; i < std::min(lines, (r + 1) * blockLines_); ++i)
+            for (std::int32_t& p : patch_.row(i)) p += p != kNoRegion ? first : 0;
+        }
+      },
+      4);
 }
 
 Patches::Block Patches::block(int row, int col) const {
@@ -93,6 +112,51 @@ bool Patches::agree(GridIndex a, GridIndex b) const {
   const double off = std::max(std::abs(n1.dot(difference)), std::abs(n2.dot(difference)));
   const double cosine = neurons_.cosine(a);
   return off * off <= kFarSigmas * kFarSigmas * 2 * neurons_.variance(a, cosine) * cosine * cosine;
+}
+
+// Blocks that are one patch each touch as a whole; elsewhere every neuron looks one and two on.
+void Patches::addTouching(int row, int col, std::vector<LabelPair>& pairs) const {
+  const Block b = block(row, col);
+  const std::int32_t whole = wholePatch_({row, col});
+  const auto look = [&](const Block& from, GridIndex step) {
+    for (int i = from.line; i < from.endLine; ++i)
+      for (int j = from.beam; j < from.endBeam; ++j) {
+        const std::int32_t p = patch_({i, j});
+        if (p == kNoRegion) continue;
+        for (int reach = 1; reach <= 2; ++reach) {
+          const GridIndex to{i + reach * step.row, j + reach * step.col};
+          if (!patch_.contains(to)) break;
+          const std::int32_t other = patch_(to);
+          if (other == kNoRegion || other == p) continue;
+          if (pairs.empty() || pairs.back() != LabelPair{p, other}) pairs.push_back({p, other});
+        }
+      }
+  };
+  const auto toBlock = [&](GridIndex next, const Block& from, GridIndex step) {
+    const std::int32_t other = wholePatch_.contains(next) ? wholePatch_(next) : kNoRegion;
+    if (whole != kNoRegion && other != kNoRegion)
+      pairs.push_back({whole, other});
+    else
+      look(whole != kNoRegion ? from : b, step);  // inside a patch there is nothing to find
+  };
+  toBlock({row, col + 1}, {b.line, b.endLine, std::max(b.beam, b.endBeam - 2), b.endBeam}, {0, 1});
+  toBlock({row + 1, col}, {std::max(b.line, b.endLine - 2), b.endLine, b.beam, b.endBeam}, {1, 0});
+}
+
+std::vector<LabelPair> Patches::touchingPatches(const Execution& execution) const {
+  constexpr int kRows = 4;
+  std::vector<std::vector<LabelPair>> parts(static_cast<size_t>((wholePatch_.rows() + kRows - 1) / kRows));
+  parallelRows(
+      wholePatch_.rows(), execution,
+      [&](int begin, int end) {
+        for (int r = begin; r < end; ++r)
+          for (int c = 0; c < wholePatch_.cols(); ++c)
+            addTouching(r, c, parts[static_cast<size_t>(begin / kRows)]);
+      },
+      kRows);
+  std::vector<LabelPair> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 // A block of several regions: patches that lie in one of them whole, neurons where a border cuts a patch.
@@ -165,58 +229,6 @@ Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_
   for (const RegionSums& part : parts)
     for (size_t l = 0; l < regions; ++l) total.sums[l] += part.sums[l], total.size[l] += part.size[l];
   return total;
-}
-
-std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int32_t>& labels, int farthest,
-                                                            bool diagonally, const Execution& execution) {
-  using Pair = std::pair<std::int32_t, std::int32_t>;
-  std::vector<GridIndex> offsets;
-  for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, 0}, {0, reach}});
-  if (diagonally)
-    for (int reach = 1; reach <= farthest; ++reach)
-      offsets.insert(offsets.end(), {{reach, reach}, {reach, -reach}});
-  constexpr int kRows = 32;
-  std::vector<std::vector<Pair>> parts(static_cast<size_t>((labels.rows() + kRows - 1) / kRows));
-  parallelRows(
-      labels.rows(), execution,
-      [&](int begin, int end) {
-        std::vector<Pair>& pairs = parts[static_cast<size_t>(begin / kRows)];
-        // Along a border the same pair comes again and again: the last one of each offset and of each beam is
-        // enough to drop nearly all.
-        std::vector<Pair> last(offsets.size() * static_cast<size_t>(labels.cols()),
-                               Pair{kNoRegion, kNoRegion});
-        for (int i = begin; i < end; ++i) {
-          const std::int32_t* row = labels.row(i).data();
-          const std::int32_t *above = labels.row(std::max(0, i - 1)).data(),
-                             *below = labels.row(std::min(labels.rows() - 1, i + 1)).data();
-          for (int j = 0; j < labels.cols(); ++j) {
-            const std::int32_t a = row[j];
-            // Whatever can be reached from inside a region is reached from its border, too.
-            if (a == kNoRegion || (above[j] == a && below[j] == a && row[std::max(0, j - 1)] == a &&
-                                   row[std::min(labels.cols() - 1, j + 1)] == a))
-              continue;
-            for (size_t k = 0; k < offsets.size(); ++k) {
-              const GridIndex to{i + offsets[k].row, j + offsets[k].col};
-              if (!labels.contains(to)) continue;
-              const std::int32_t b = labels(to);
-              if (b == kNoRegion || b == a) continue;
-              const Pair pair = std::minmax(a, b);
-              Pair& before = last[k * static_cast<size_t>(labels.cols()) + static_cast<size_t>(j)];
-              if (before == pair || (!pairs.empty() && pairs.back() == pair)) continue;
-              before = pair;
-              pairs.push_back(pair);
-            }
-          }
-        }
-        std::sort(pairs.begin(), pairs.end());
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-      },
-      kRows);
-  std::vector<Pair> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
 }
 
 }  // namespace stratascope

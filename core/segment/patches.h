@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "base/grid.h"
 #include "base/parallel_rows.h"
+#include "segment/pair_table.h"
 #include "segment/patch_graph.h"
 #include "segment/region_neurons.h"
 
@@ -23,6 +23,9 @@ public:
   const std::vector<PatchSums>& sums() const { return sums_; }
   int blockLines() const { return blockLines_; }
 
+  /// Pairs of patches one or two neurons apart along lines and beams, in no order, some more than once.
+  std::vector<LabelPair> touchingPatches(const Execution& execution) const;
+
   /// Sums and sizes of regions made of the same neurons: whole blocks at once where all of a block is one
   /// region. Only neurons with a normal enter the sums; the sizes count all.
   struct RegionSums {
@@ -32,6 +35,7 @@ public:
   RegionSums sumsOf(const Grid<std::int32_t>& region, std::size_t regions, const Execution& execution) const;
 
   static constexpr int kMostLines = 10;  ///< of a block
+  static constexpr int kBlockBeams = 4;
 
 private:
   struct Block {
@@ -39,21 +43,17 @@ private:
   };
   Block block(int row, int col) const;
   void labelBlock(const Block& block, std::vector<PatchSums>& sums, std::vector<GridIndex>& stack);
+  void addTouching(int row, int col, std::vector<LabelPair>& pairs) const;
   void addMixed(const Block& block, const Grid<std::int32_t>& region, RegionSums& sums) const;
   bool agree(GridIndex a, GridIndex b) const;
 
   const Neurons& neurons_;
-  static constexpr int kBlockBeams = 4;
   int blockLines_;
   float cosAgree_;
   Grid<std::int32_t> patch_;
   std::vector<PatchSums> sums_;
-  Grid<PatchSums> ofBlock_;  // of all neurons with a normal
+  Grid<PatchSums> ofBlock_;        // of all neurons with a normal
+  Grid<std::int32_t> wholePatch_;  // of a block that is one patch, or kNoRegion
 };
-
-/// Pairs of labels that are lattice neighbours, or stand up to `farthest` neurons apart along lines and beams
-/// (and, if asked, on diagonals); each pair once, the smaller label first, in ascending order.
-std::vector<std::pair<std::int32_t, std::int32_t>> touching(const Grid<std::int32_t>& labels, int farthest,
-                                                            bool diagonally, const Execution& execution);
 
 }  // namespace stratascope

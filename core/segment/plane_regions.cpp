@@ -12,6 +12,8 @@
 #include "segment/curved.h"
 #include "segment/patches.h"
 #include "segment/region_neurons.h"
+#include "segment/runs.h"
+#include "segment/touching.h"
 #include "segment/uneven.h"
 
 namespace stratascope {
@@ -37,6 +39,30 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
     around[static_cast<size_t>(b)].push_back(a);
   }
   const std::vector<std::vector<GridIndex>> sample = sampleOf(regions, kEnough);
+  // How much worse the best of the others explains the region's neurons than its own plane does, on average.
+  const auto growthOf = [&](size_t l, const std::vector<std::int32_t>& others) {
+    double growth = 0;
+    for (const GridIndex& at : sample[l]) {
+      const Neurons::Place place = neurons.place(at);
+      auto misfit = [&](const RangePlane& plane) {
+        const Neurons::Misfit m = neurons.misfit(place, plane);
+        return std::min(kFarSigmas * kFarSigmas, m.squares) + 0.25 * std::min(16.0, m.tilt);
+      };
+      double best = misfit(regions.planes[static_cast<size_t>(others.front())]);
+      for (std::int32_t o : others) best = std::min(best, misfit(regions.planes[static_cast<size_t>(o)]));
+      growth += best - misfit(regions.planes[l]);
+    }
+    return growth / static_cast<double>(sample[l].size());
+  };
+  // Few are gone, so nearly all that is computed for all of them at once holds.
+  std::vector<double> growth(regions.planes.size(), 0);
+  parallelRows(
+      static_cast<int>(growth.size()), execution,
+      [&](int begin, int end) {
+        for (auto l = static_cast<size_t>(begin); l < static_cast<size_t>(end); ++l)
+          if (alive[l] && !sample[l].empty() && !around[l].empty()) growth[l] = growthOf(l, around[l]);
+      },
+      4);
   std::vector<size_t> order(regions.planes.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
@@ -45,20 +71,10 @@ void dissolveSlivers(const Neurons& neurons, PlaneRegions& regions, std::vector<
   for (size_t l : order) {
     if (!alive[l] || sample[l].empty()) continue;
     auto& others = around[l];
-    std::erase_if(others, [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; });
-    if (others.empty()) continue;
-    double growth = 0;
-    for (const GridIndex& at : sample[l]) {
-      auto misfit = [&](const RangePlane& plane) {
-        const Neurons::Misfit m = neurons.misfit(at, plane);
-        const double e = std::min(kFarSigmas, m.error);
-        return e * e + 0.25 * std::min(16.0, m.tilt);
-      };
-      double best = misfit(regions.planes[static_cast<size_t>(others.front())]);
-      for (std::int32_t o : others) best = std::min(best, misfit(regions.planes[static_cast<size_t>(o)]));
-      growth += best - misfit(regions.planes[l]);
-    }
-    if (growth < kNearlyAsWell * static_cast<double>(sample[l].size())) alive[l] = 0;
+    if (std::erase_if(others, [&](std::int32_t o) { return !alive[static_cast<size_t>(o)]; }) > 0 &&
+        !others.empty())
+      growth[l] = growthOf(l, others);
+    if (!others.empty() && growth[l] < kNearlyAsWell) alive[l] = 0;
   }
 }
 
@@ -70,13 +86,13 @@ public:
   OccludedGaps(const Neurons& neurons, const PlaneRegions& regions) : neurons_(neurons), regions_(regions) {}
 
   /// Pairs worth joining, by the share of their gaps that is occluded.
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs(double cosSame) const {
+  std::vector<LabelPair> pairs(double cosSame) const {
     const Grid<std::int32_t>& region = regions_.region;
     std::map<std::pair<std::int32_t, std::int32_t>, std::pair<int, int>> seen;  // occluded, all
     for (int i = 0; i < region.rows(); ++i) walk({i, 0}, {0, 1}, region.cols(), cosSame, seen);
     for (int j = 0; j < region.cols(); ++j) walk({0, j}, {1, 0}, region.rows(), cosSame, seen);
     constexpr int kFewest = 5;
-    std::vector<std::pair<std::int32_t, std::int32_t>> result;
+    std::vector<LabelPair> result;
     for (const auto& [pair, count] : seen)
       if (count.first >= kFewest && count.first >= 0.8 * count.second) result.push_back(pair);
     return result;
@@ -123,7 +139,7 @@ private:
 class RegionGrowth {
 public:
   RegionGrowth(const Neurons& neurons, const Execution& execution)
-      : neurons_(neurons), execution_(execution), patches_(neurons, execution) {
+      : neurons_(neurons), execution_(execution), patches_(neurons, execution), borders_(neurons) {
     rules_.chiSquare = kChiSquare3;
     rules_.disagreement = kDisagreement;
     // Half: means of many normals are surer than the single ones the tolerance is meant for.
@@ -156,9 +172,8 @@ public:
 private:
   // Neighbouring patches, then regions of those that are worth refining.
   void joinPatches() {
-    PatchGraph graph;
-    for (const PatchSums& sums : patches_.sums()) graph.addPatch(sums);
-    for (const auto& [a, b] : touching(patches_.patch(), 2, false, execution_)) graph.connect(a, b);
+    PatchGraph graph(patches_.sums(), execution_);
+    graph.connect(patches_.touchingPatches(execution_));
     graph.joinAll(rules_, execution_);
     const double leastSeed = std::max(12.0, 0.4 * neurons_.params.minPlanePoints);
     std::vector<std::int32_t> regionOf(graph.size(), kNoRegion);
@@ -180,17 +195,16 @@ private:
 
   /// Whether anything changed.
   bool settleAndJoin(int steps) {
-    const size_t changes = settleBorders(neurons_, alive_, steps, regions_, execution_);
+    const size_t changes = borders_.settle(alive_, steps, regions_, execution_);
     return join({}) || changes > 0;
   }
 
   // Regions that met only after their borders had settled: the same rule of joining, on whole regions.
-  bool join(const std::vector<std::pair<std::int32_t, std::int32_t>>& alsoConnected) {
+  bool join(const std::vector<LabelPair>& alsoConnected) {
     const Patches::RegionSums measured = patches_.sumsOf(regions_.region, regions_.planes.size(), execution_);
-    PatchGraph graph;
-    for (const PatchSums& sums : measured.sums) graph.addPatch(sums);
-    for (const auto& [a, b] : touching(regions_.region, 3, true, execution_)) graph.connect(a, b);
-    for (const auto& [a, b] : alsoConnected) graph.connect(a, b);
+    PatchGraph graph(measured.sums, execution_);
+    graph.connect(touching(regions_.region, 3, true, execution_));
+    graph.connect(alsoConnected);
     graph.joinAll(rules_, execution_);
     regions_.size = measured.size;
     std::vector<std::int32_t> rootOf(graph.size());
@@ -222,7 +236,7 @@ private:
   }
 
   void dropCurved() {
-    const std::vector<char> curved = findCurvedRegions(neurons_, regions_);
+    const std::vector<char> curved = findCurvedRegions(neurons_, regions_, execution_);
     for (size_t l = 0; l < curved.size(); ++l)
       if (curved[l]) alive_[l] = 0, regions_.size[l] = 0;
     eachNeuron([&](std::int32_t& l) {
@@ -242,6 +256,7 @@ private:
   const Neurons& neurons_;
   const Execution& execution_;
   Patches patches_;
+  BorderNetwork borders_;
   PatchGraph::Rules rules_;
   PlaneRegions regions_;
   std::vector<char> alive_;
@@ -253,12 +268,13 @@ std::vector<std::vector<GridIndex>> sampleOf(const PlaneRegions& regions, std::s
   std::vector<std::vector<GridIndex>> sample(regions.planes.size());
   std::vector<size_t> seen(regions.planes.size(), 0);
   for (int i = 0; i < regions.region.rows(); ++i)
-    for (int j = 0; j < regions.region.cols(); ++j) {
-      const std::int32_t l = regions.region({i, j});
-      if (l == kNoRegion) continue;
-      const auto r = static_cast<size_t>(l);
-      if (seen[r]++ % (1 + regions.size[r] / most) == 0) sample[r].push_back({i, j});
-    }
+    forEachRun(regions.region, i, kNoRegion, [&](std::int32_t l, int begin, int end) {
+      const auto r = static_cast<size_t>(l), length = static_cast<size_t>(end - begin);
+      const size_t stride = 1 + regions.size[r] / most, over = seen[r] % stride;
+      for (size_t k = over == 0 ? 0 : stride - over; k < length; k += stride)
+        sample[r].push_back({i, begin + static_cast<int>(k)});
+      seen[r] += length;
+    });
   return sample;
 }
 

@@ -60,25 +60,42 @@ struct Neurons {
     local.zz += spread * (1 - n.z() * n.z());
     local.n += 3;
   }
-  /// Against a plane: range error in standard deviations (infinite where it exceeds both what noise explains
-  /// and the plane distance), the same with its sign in metres, and the squared disagreement of the neuron's
-  /// normal in the errors normals have (0 without a normal).
-  struct Misfit {
-    double error, along, tilt;
+  /// What a misfit needs of a neuron, whichever the plane.
+  struct Place {
+    Eigen::Vector3d q, normal;
+    double perRange;  // 1 / range
+    double variance;  // of its range, without the surface's roughness
+    bool hasNormal;
   };
-  Misfit misfit(GridIndex i, const RangePlane& plane) const {
-    const Eigen::Vector3d at = q(i);
-    const double r = points.range(i), across = plane.unit.dot(at);
-    Misfit m{std::numeric_limits<double>::infinity(), plane.rangeError(at, r), 0};
-    const double c = std::max(0.05, std::abs(across) / r), noise = variance(i, c);
-    const double unevenNeuron = kUnevenNeuron * params.planeDistance, uneven = unevenNeuron / c;
-    const double off = across + plane.fromSensor, farthest = kFarSigmas * kFarSigmas * noise * c * c;
-    if (off * off > std::max(params.planeDistance * params.planeDistance, farthest)) return m;
-    m.error = std::abs(m.along) / std::sqrt(noise + uneven * uneven);
-    if (!hasNormal(i)) return m;
-    const double cosine = normals.normals(i).cast<double>().dot(plane.unit);
+  Place place(GridIndex i) const {
+    const float r = points.range(i);
+    return {q(i), normals.normals(i).cast<double>(), 1.0 / r, points.noise.varianceAt(r), hasNormal(i)};
+  }
+  /// Against a plane: squared range error in the noise's variances (infinite where it exceeds both what noise
+  /// explains and the plane distance, and where the beam never meets the plane), and the squared disagreement
+  /// of the neuron's normal in the errors normals have (0 without a normal). Distance from the plane and
+  /// cosine of the beam with it: their ratio is the range error in metres, positive if the plane lies behind
+  /// the point. Error and noise are both taken across the plane, which spares the divisions.
+  struct Misfit {
+    double squares, tilt, off, cosine;
+  };
+  Misfit misfit(const Place& at, const RangePlane& plane) const {
+    constexpr double kGrazing = 0.05;
+    const double across = plane.unit.dot(at.q);
+    Misfit m{std::numeric_limits<double>::infinity(), 0, across + plane.fromSensor, -across * at.perRange};
+    const double c = std::max(kGrazing, std::abs(m.cosine)), c2 = c * c, off2 = m.off * m.off;
+    const double noise = at.variance * c2 + RangeNoise::kRoughness * RangeNoise::kRoughness;
+    const double distance2 = params.planeDistance * params.planeDistance;
+    if (off2 > std::max(distance2, kFarSigmas * kFarSigmas * noise)) return m;
+    const double uneven2 = kUnevenNeuron * kUnevenNeuron * distance2;
+    if (m.cosine >= kGrazing)
+      m.squares = off2 / (noise + uneven2);
+    else if (m.cosine > 0)
+      m.squares = off2 * c2 / (m.cosine * m.cosine * (noise + uneven2));
+    if (!at.hasNormal) return m;
+    const double cosine = at.normal.dot(plane.unit);
     const double sine2 = cosine > 0 ? std::max(0.0, 1 - cosine * cosine) : 1.0;
-    m.tilt = kLever * kLever * sine2 / std::max(kTiltShare * kTiltShare * noise, unevenNeuron * unevenNeuron);
+    m.tilt = kLever * kLever * sine2 * c2 / std::max(kTiltShare * kTiltShare * noise, uneven2 * c2);
     return m;
   }
 };

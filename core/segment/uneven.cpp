@@ -10,6 +10,7 @@
 
 #include "base/units.h"
 #include "segment/contacts.h"
+#include "segment/pair_table.h"
 
 namespace stratascope {
 
@@ -25,21 +26,34 @@ struct Border {
   double n = 0, squares = 0;  // steps, metres
 };
 
-using Pair = std::pair<std::int32_t, std::int32_t>;
+using Borders = PairTable<Border>;
 
-std::map<Pair, Border> bordersOf(const Neurons& neurons, const PlaneRegions& regions) {
+Borders bordersOf(const Neurons& neurons, const PlaneRegions& regions, const Execution& execution) {
   const Grid<std::int32_t>& region = regions.region;
-  std::map<Pair, Border> borders;
-  forEachContact(region, kNoRegion, [&](GridIndex from, GridIndex to) {
-    const std::int32_t a = region(from), b = region(to);
-    const Eigen::Vector3d middle = 0.5 * (neurons.q(from) + neurons.q(to));
-    const double difference = regions.planes[static_cast<size_t>(a)].distance(middle) -
-                              regions.planes[static_cast<size_t>(b)].distance(middle);
-    Border& border = borders[std::minmax(a, b)];
-    border.n += 1;
-    border.squares += difference * difference;
-  });
-  return borders;
+  constexpr int kRows = 32;  // of one part; parts are added in order
+  std::vector<Borders> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
+  parallelRows(
+      region.rows(), execution,
+      [&](int begin, int end) {
+        Borders& borders = parts[static_cast<size_t>(begin / kRows)];
+        forEachContact(region, kNoRegion, begin, end, [&](GridIndex from, GridIndex to) {
+          const std::int32_t a = region(from), b = region(to);
+          const Eigen::Vector3d middle = 0.5 * (neurons.q(from) + neurons.q(to));
+          const double difference = regions.planes[static_cast<size_t>(a)].distance(middle) -
+                                    regions.planes[static_cast<size_t>(b)].distance(middle);
+          Border& border = borders(std::min(a, b), std::max(a, b));
+          border.n += 1;
+          border.squares += difference * difference;
+        });
+      },
+      kRows);
+  Borders all;
+  for (const Borders& part : parts)
+    for (const auto& [pair, border] : part.entries()) {
+      Border& sum = all(pair.first, pair.second);
+      sum.n += border.n, sum.squares += border.squares;
+    }
+  return all;
 }
 
 }  // namespace
@@ -54,7 +68,8 @@ std::vector<std::int32_t> joinUneven(const Neurons& neurons, const Patches& patc
     return regions.planes[static_cast<size_t>(a)].unit.dot(regions.planes[static_cast<size_t>(b)].unit);
   };
   std::vector<std::tuple<double, std::int32_t, std::int32_t>> pairs;  // least bent first
-  for (const auto& [pair, border] : bordersOf(neurons, regions))
+  const Borders borders = bordersOf(neurons, regions, execution);
+  for (const auto& [pair, border] : borders.entries())
     if (border.n >= kFewestContacts && border.squares <= border.n * step * step &&
         cosBetween(pair.first, pair.second) >= cosBent)
       pairs.emplace_back(-cosBetween(pair.first, pair.second), pair.first, pair.second);
