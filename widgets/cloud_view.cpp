@@ -29,7 +29,7 @@ Rgb rgbOf(const QColor& c) {
 CloudView::CloudView(Selection& selection, QWidget* parent)
     : VtkView(tr("Point cloud"), parent),
       selection_(selection),
-      actor_(renderer()),
+      actor_(renderer(), openGlOnProcessor()),
       marked_(renderer(), kHighlight),
       point_(renderer(), kHighlight),
       outline_(renderer(), kHighlight),

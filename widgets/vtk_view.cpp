@@ -15,7 +15,9 @@
 #include <QEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QToolButton>
@@ -448,6 +450,23 @@ QString openGlProblem() {
         .arg(version.second)
         .arg(remedy);
   return {};
+}
+
+bool openGlOnProcessor() {
+  static const bool onProcessor = [] {
+    QOffscreenSurface surface;
+    surface.setFormat(QSurfaceFormat::defaultFormat());
+    surface.create();
+    QOpenGLContext context;
+    context.setFormat(QSurfaceFormat::defaultFormat());
+    if (!context.create() || !context.makeCurrent(&surface)) return false;
+    const QByteArray renderer(
+        reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+    context.doneCurrent();
+    const auto is = [&](const char* name) { return renderer.toLower().contains(name); };
+    return is("llvmpipe") || is("softpipe") || is("swr") || is("software");
+  }();
+  return onProcessor;
 }
 
 void prepareOpenGl() {
