@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "widgets/clip_widget.h"
+#include "widgets/opengl.h"
 #include "widgets/point_explanation.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
