@@ -12,7 +12,7 @@ namespace stratascope {
 namespace {
 constexpr size_t kCoarseShare = 4;
 // Smaller clouds are drawn whole.
-constexpr size_t kCoarseFrom = 40000, kCoarseFromPainted = 1000000;
+constexpr size_t kCoarsePointsFrom = 40000, kCoarsePaintedFrom = 1000000;
 }  // namespace
 
 ScanActor::ScanActor(vtkRenderer* renderer, bool paint) : paint_(paint) {
@@ -71,7 +71,7 @@ void ScanActor::upload(const ViewGeometry& g, bool moved, bool cutElsewhere, boo
 }
 
 size_t ScanActor::coarseCount(size_t shown) const {
-  return shown < (paint_ ? kCoarseFromPainted : kCoarseFrom) ? shown : shown / kCoarseShare;
+  return shown < (paint_ ? kCoarsePaintedFrom : kCoarsePointsFrom) ? shown : shown / kCoarseShare;
 }
 
 void ScanActor::setDetail() {

@@ -10,7 +10,7 @@
 
 #include <memory>
 
-#include "widgets/painted_points.h"
+#include "widgets/painted_prop.h"
 #include "widgets/view_geometry.h"
 
 namespace stratascope {

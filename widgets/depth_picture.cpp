@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Stratascope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "widgets/point_picture.h"
+#include "widgets/depth_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ Extent covered(float centre, int width, int count) {
 
 }  // namespace
 
-void PointPicture::begin(int width, int height) {
+void DepthPicture::begin(int width, int height) {
   width_ = std::max(0, width);
   height_ = std::max(0, height);
   const size_t count = static_cast<size_t>(width_) * static_cast<size_t>(height_);
@@ -32,8 +32,8 @@ void PointPicture::begin(int width, int height) {
   depths_.assign(count, kNothing);
 }
 
-void PointPicture::draw(std::span<const Eigen::Vector3f> positions, std::span<const std::uint8_t> rgb,
-                        std::span<const std::int32_t> which, const Eigen::Matrix4f& m, double size) {
+void DepthPicture::drawPoints(std::span<const Eigen::Vector3f> positions, std::span<const std::uint8_t> rgb,
+                              std::span<const std::int32_t> which, const Eigen::Matrix4f& m, double size) {
   const int side = std::max(kFraction, static_cast<int>(std::lrint(kFraction * size)));
   // A square whose middle is farther outside than this shows nothing inside.
   const float besideX = 1 + 2 * static_cast<float>(size) / static_cast<float>(std::max(1, width_)),
