@@ -23,7 +23,7 @@
 #include "io/export.h"
 #include "params/param_table.h"
 #include "widgets/theme.h"
-#include "widgets/vtk_view.h"
+#include "widgets/opengl.h"
 
 namespace {
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/chart_view.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkAxis.h>
 #include <vtkBrush.h>
 #include <vtkChartXY.h>
@@ -26,6 +25,7 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/canvas.h"
 #include "widgets/chart_scale.h"
 #include "widgets/theme.h"
 
@@ -142,12 +142,11 @@ private:
 };
 
 ChartView::ChartView(QWidget* parent) : QWidget(parent) {
-  canvas_ = new QVTKOpenGLNativeWidget(this);
+  window_->SetMultiSamples(0);
+  canvas_ = makeCanvas(window_, this);
   canvas_->setObjectName("chartCanvas");
   canvas_->setMinimumSize(180, 110);
-  window_->SetMultiSamples(0);
-  canvas_->setRenderWindow(window_);
-  canvas_->interactor()->SetInteractorStyle(nullptr);  // the mouse is ours
+  window_->GetInteractor()->SetInteractorStyle(nullptr);  // the mouse is ours
   window_->AddRenderer(renderer_);
   renderer_->AddActor(actor_);
   actor_->GetScene()->SetRenderer(renderer_);

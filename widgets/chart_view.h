@@ -13,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-class QVTKOpenGLNativeWidget;
-
 namespace stratascope {
 
 /// What one chart shows: bars over an axis, or samples joined by a line. Titles carry the unit.
@@ -102,7 +100,7 @@ private:
   std::vector<ChartModel> panels_;
   std::vector<Panel> drawn_;
   std::pair<int, int> current_{-1, -1};
-  QVTKOpenGLNativeWidget* canvas_;
+  QWidget* canvas_;
   Overlay* overlay_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "widgets/clip_widget.h"
+#include "widgets/opengl.h"
 #include "widgets/point_explanation.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
@@ -29,7 +30,7 @@ Rgb rgbOf(const QColor& c) {
 CloudView::CloudView(Selection& selection, QWidget* parent)
     : VtkView(tr("Point cloud"), parent),
       selection_(selection),
-      actor_(renderer()),
+      actor_(renderer(), openGlOnProcessor()),
       marked_(renderer(), kHighlight),
       point_(renderer(), kHighlight),
       outline_(renderer(), kHighlight),

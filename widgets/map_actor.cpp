@@ -9,12 +9,12 @@
 #include "widgets/vtk_arrays.h"
 
 namespace stratascope {
-namespace {
-constexpr size_t kCoarseFrom = 30000;  // meshes of fewer faces are drawn whole
-}
-
-MapActor::MapActor(vtkRenderer* renderer) {
+MapActor::MapActor(vtkRenderer* renderer, bool paint) : paint_(paint) {
   for (Level* level : {&full_, &coarse_}) {
+    if (paint_) {
+      renderer->AddViewProp(level->painted);
+      continue;
+    }
     level->mapper->SetInputData(level->data);
     level->mapper->SetStatic(1);
     level->actor->SetMapper(level->mapper);
@@ -28,31 +28,37 @@ MapActor::MapActor(vtkRenderer* renderer) {
 
 void MapActor::show(Level& level, std::shared_ptr<const MapMesh> mesh) {
   if (mesh == level.mesh) return;
-  if (mesh && mesh->faces() > 0) {
-    vtkNew<vtkPoints> points;
-    points->SetData(floatsOver(mesh->xyz.data(), mesh->xyz.size()));
-    vtkNew<vtkCellArray> triangles;
-    triangles->SetData(intsOver(mesh->offsets), intsOver(mesh->corners));
-    level.data->SetPoints(points);
-    level.data->SetPolys(triangles);
-    level.data->GetPointData()->SetScalars(bytesOver(mesh->rgb.data(), mesh->rgb.size()));
+  if (paint_) {
+    level.painted->setMesh(mesh);
   } else {
-    level.data->Initialize();
+    if (mesh && mesh->faces() > 0) {
+      vtkNew<vtkPoints> points;
+      points->SetData(floatsOver(mesh->xyz.data(), mesh->xyz.size()));
+      vtkNew<vtkCellArray> triangles;
+      triangles->SetData(intsOver(mesh->offsets), intsOver(mesh->corners));
+      level.data->SetPoints(points);
+      level.data->SetPolys(triangles);
+      level.data->GetPointData()->SetScalars(bytesOver(mesh->rgb.data(), mesh->rgb.size()));
+    } else {
+      level.data->Initialize();
+    }
+    level.data->Modified();
+    level.mapper->Update();
   }
-  level.data->Modified();
-  level.mapper->Update();
   level.mesh = std::move(mesh);
 }
 
 void MapActor::set(std::shared_ptr<const MapMesh> full, std::shared_ptr<const MapMesh> coarse) {
-  if (full && full->faces() < kCoarseFrom) coarse = full;
   show(full_, std::move(full));
   show(coarse_, std::move(coarse));
 }
 
 void MapActor::setCoarse(bool coarse) {
-  full_.actor->SetVisibility(!coarse);
-  coarse_.actor->SetVisibility(coarse);
+  for (Level* level : {&full_, &coarse_}) {
+    const bool visible = (level == &coarse_) == coarse;
+    level->actor->SetVisibility(visible);
+    level->painted->SetVisibility(visible);
+  }
 }
 
 }  // namespace stratascope

@@ -11,13 +11,15 @@
 #include <memory>
 
 #include "widgets/map_mesh.h"
+#include "widgets/painted_prop.h"
 
 namespace stratascope {
 
-/// A map's mesh, unlit and culled, and a coarser one for use while the camera moves.
+/// A map's mesh, unlit and culled, and a coarser one for use while the camera moves. Where OpenGL runs on the
+/// processor, both are painted there at once.
 class MapActor {
 public:
-  explicit MapActor(vtkRenderer* renderer);
+  MapActor(vtkRenderer* renderer, bool paint);
 
   /// Null meshes draw nothing. Uploads only what is another object than last time.
   void set(std::shared_ptr<const MapMesh> full, std::shared_ptr<const MapMesh> coarse);
@@ -28,9 +30,12 @@ private:
     vtkNew<vtkPolyData> data;
     vtkNew<vtkPolyDataMapper> mapper;
     vtkNew<vtkActor> actor;
+    vtkNew<PaintedMesh> painted;
     std::shared_ptr<const MapMesh> mesh;
   };
-  static void show(Level& level, std::shared_ptr<const MapMesh> mesh);
+  void show(Level& level, std::shared_ptr<const MapMesh> mesh);
+
+  const bool paint_;
   Level full_, coarse_;
 };
 

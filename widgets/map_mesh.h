@@ -26,6 +26,8 @@ struct MapMesh {
 
 /// Coarse leaves out low walls and undersides: for use while the camera moves.
 enum class MeshDetail { Full, Coarse };
+/// A mesh of fewer faces is drawn whole even then.
+inline constexpr size_t kCoarseFrom = 30000;
 
 /// The highest height at or below `cut` in each cell, NaN where there is none: the 2.5D map of what lies
 /// below the cut. With an infinite cut this is the height map itself. With a clip box: of what lies in it,

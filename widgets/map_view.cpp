@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "widgets/opengl.h"
 #include "widgets/text_format.h"
 #include "widgets/theme.h"
 
@@ -20,7 +21,7 @@ MapView::MapView(Kind kind, Selection& selection, QWidget* parent)
     : VtkView(kind == Kind::Columns ? tr("2.5D map") : tr("Extended 2.5D map"), parent),
       kind_(kind),
       selection_(selection),
-      actor_(renderer()),
+      actor_(renderer(), openGlOnProcessor()),
       marked_(renderer(), kHighlight),
       cell_(renderer(), kHighlight),
       grid_(renderer(), devicePixelRatioF()) {

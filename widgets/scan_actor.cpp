@@ -11,12 +11,17 @@
 namespace stratascope {
 namespace {
 constexpr size_t kCoarseShare = 4;
-constexpr size_t kCoarseFrom = 40000;  // smaller clouds are drawn whole
+// Smaller clouds are drawn whole.
+constexpr size_t kCoarsePointsFrom = 40000, kCoarsePaintedFrom = 1000000;
 }  // namespace
 
-ScanActor::ScanActor(vtkRenderer* renderer) {
-  setUp(full_, renderer);
-  setUp(coarse_, renderer);
+ScanActor::ScanActor(vtkRenderer* renderer, bool paint) : paint_(paint) {
+  if (paint_) {
+    renderer->AddViewProp(painted_);
+  } else {
+    setUp(full_, renderer);
+    setUp(coarse_, renderer);
+  }
   setCoarse(false);
 }
 
@@ -33,8 +38,18 @@ void ScanActor::set(const ViewGeometry& g) {
   const bool moved = g.cloud != cloud_, cutElsewhere = g.cloudShown != shown_,
              recoloured = g.cloudRgb != rgb_;
   if (!moved && !cutElsewhere && !recoloured) return;
+  if (paint_)
+    painted_->setCloud(g.cloud, g.cloudShown, g.cloudRgb);
+  else
+    upload(g, moved, cutElsewhere, recoloured);
+  cloud_ = g.cloud;  // the old vectors may go only now that nothing points into them
+  shown_ = g.cloudShown;
+  rgb_ = g.cloudRgb;
+  setDetail();
+}
+
+void ScanActor::upload(const ViewGeometry& g, bool moved, bool cutElsewhere, bool recoloured) {
   const size_t count = g.cloudShown->size();
-  const size_t coarse = count < kCoarseFrom ? count : count / kCoarseShare;
   if (moved) {
     vtkNew<vtkPoints> points;
     const auto& positions = g.cloud->positions;
@@ -43,7 +58,7 @@ void ScanActor::set(const ViewGeometry& g) {
   }
   if (moved || cutElsewhere) {
     full_.data->SetVerts(polyVertex(*g.cloudShown, count));
-    coarse_.data->SetVerts(polyVertex(*g.cloudShown, coarse));
+    coarse_.data->SetVerts(polyVertex(*g.cloudShown, coarseCount(count)));
   }
   if (moved || recoloured) {
     const auto colours = bytesOver(g.cloudRgb->data(), g.cloudRgb->size());
@@ -53,19 +68,29 @@ void ScanActor::set(const ViewGeometry& g) {
     level->data->Modified();
     level->mapper->Update();
   }
-  cloud_ = g.cloud;  // the old vectors may go only now that nothing points into them
-  shown_ = g.cloudShown;
-  rgb_ = g.cloudRgb;
+}
+
+size_t ScanActor::coarseCount(size_t shown) const {
+  return shown < (paint_ ? kCoarsePaintedFrom : kCoarsePointsFrom) ? shown : shown / kCoarseShare;
+}
+
+void ScanActor::setDetail() {
+  const size_t count = shown_ ? shown_->size() : 0, coarse = coarseCount(count);
+  painted_->setDetail(isCoarse_ ? coarse : count, pixels_ + (isCoarse_ && coarse < count ? 1 : 0));
 }
 
 void ScanActor::setCoarse(bool coarse) {
+  isCoarse_ = coarse;
   full_.actor->SetVisibility(!coarse);
   coarse_.actor->SetVisibility(coarse);
+  setDetail();
 }
 
 void ScanActor::setPointSize(double pixels) {
+  pixels_ = pixels;
   full_.actor->GetProperty()->SetPointSize(static_cast<float>(pixels));
   coarse_.actor->GetProperty()->SetPointSize(static_cast<float>(pixels + 1));
+  setDetail();
 }
 
 }  // namespace stratascope

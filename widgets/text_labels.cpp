@@ -15,6 +15,8 @@ void TextLabels::show(const std::vector<Label>& labels, bool bold) {
   while (actors_.size() < labels.size()) {
     auto actor = vtkSmartPointer<vtkBillboardTextActor3D>::New();
     actor->PickableOff();
+    // One translucent prop costs a pass of its own over the whole picture; of letters only the rim is.
+    actor->ForceOpaqueOn();
     actor->GetTextProperty()->SetJustificationToCentered();
     actor->GetTextProperty()->SetVerticalJustificationToCentered();
     renderer_->AddActor(actor);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <tuple>
 
+#include "base/parallel_rows.h"
+#include "widgets/cloud_geometry.h"
 #include "widgets/drivable.h"
 
 namespace stratascope {
@@ -35,27 +37,7 @@ bool sameColours(const Snapshot& a, const Snapshot& b) {
   });
 }
 
-std::shared_ptr<const CloudGeometry> gatherCloud(const Snapshot& snapshot) {
-  auto out = std::make_shared<CloudGeometry>();
-  for (size_t s = 0; s < snapshot.scans.size(); ++s) {
-    const ScanProducts& scan = snapshot.scans[s];
-    std::span<const Eigen::Vector3f> points;
-    if (scan.cloud)
-      points = *scan.cloud;
-    else if (scan.points)
-      points = scan.points->points.values();
-    for (size_t i = 0; i < points.size(); ++i)
-      if (points[i].allFinite()) out->source.push_back({static_cast<int>(s), static_cast<std::uint32_t>(i)});
-  }
-  // Fisher-Yates by hand: std::shuffle may differ between standard libraries.
-  std::mt19937_64 random(1);
-  for (size_t i = out->source.size(); i > 1; --i) std::swap(out->source[i - 1], out->source[random() % i]);
-  out->positions.reserve(out->source.size());
-  for (const PointRef& p : out->source) out->positions.push_back(positionOf(snapshot, p));
-  return out;
-}
-
-double quantile(std::vector<float>& values, double share) {
+float quantile(std::vector<float>& values, double share) {
   const auto nth =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
@@ -83,45 +65,55 @@ double automaticCut(const Snapshot& snapshot) {
   return cut;
 }
 
+/// Below which the first share of the values lies, and below which all but as many do.
+std::pair<double, double> innerRange(std::vector<float>& values, double share) {
+  return {quantile(values, share), quantile(values, 1 - share)};
+}
+
+/// In x and y. By cells, not by points: near walls have most of the points, but the maps show every cell
+/// alike. Empty if no cell has a point below the cut.
+std::array<std::vector<float>, 2> centresOfCells(const CellAssignment& cells, double cut) {
+  std::array<std::vector<float>, 2> centres;
+  for (size_t o = 0; o < cells.frame.size(); ++o) {
+    if (cells.first[o] == cells.first[o + 1] || !(cells.heights[cells.first[o]] <= cut)) continue;
+    const Eigen::Vector2d c = cells.frame.centre(cells.frame.index(o));
+    for (int a = 0; a < 2; ++a) centres[static_cast<size_t>(a)].push_back(static_cast<float>(c[a]));
+  }
+  return centres;
+}
+
 void measureExtent(ViewGeometry& g) {
   const auto& points = g.cloud->positions;
   const size_t step = std::max<size_t>(1, points.size() / 50000);
-  std::array<std::vector<float>, 3> axes;
-  g.lowest = kInfinity;
-  g.highest = -kInfinity;
-  for (size_t i = 0; i < points.size(); ++i) {
-    g.lowest = std::min<double>(g.lowest, points[i].z());
-    g.highest = std::max<double>(g.highest, points[i].z());
-    if (i % step == 0 && points[i].z() <= g.cut)
-      for (int a = 0; a < 3; ++a) axes[a].push_back(points[i][a]);
+  float lowest = std::numeric_limits<float>::infinity(), highest = -lowest;
+  for (const Eigen::Vector3f& p : points) {
+    lowest = std::min(lowest, p.z());
+    highest = std::max(highest, p.z());
   }
+  std::array<std::vector<float>, 3> axes;
+  for (size_t i = 0; i < points.size(); i += step)
+    if (points[i].z() <= g.cut)
+      for (int a = 0; a < 3; ++a) axes[static_cast<size_t>(a)].push_back(points[i][a]);
+  g.lowest = lowest;
+  g.highest = highest;
   if (axes[0].empty()) {
     if (points.empty()) g.lowest = 0, g.highest = 1;
     g.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, 1, 1));
     g.heights = {g.lowest, std::max(g.highest, g.lowest + 0.1)};
     return;
   }
+  std::array<std::vector<float>, 2> centres;
+  if (g.snapshot->cells) centres = centresOfCells(*g.snapshot->cells, g.cut);
   Eigen::Vector3d low, high;
   for (int a = 0; a < 3; ++a) {
-    low[a] = quantile(axes[a], 0.01);
-    high[a] = quantile(axes[a], 0.99);
-  }
-  if (g.snapshot->cells) {
-    // By cells, not by points: near walls have most of the points, but the maps show every cell alike.
-    const CellAssignment& cells = *g.snapshot->cells;
-    std::array<std::vector<float>, 2> centres;
-    for (size_t o = 0; o < cells.frame.size(); ++o) {
-      if (cells.first[o] == cells.first[o + 1] || !(cells.heights[cells.first[o]] <= g.cut)) continue;
-      const Eigen::Vector2d c = cells.frame.centre(cells.frame.index(o));
-      for (int a = 0; a < 2; ++a) centres[a].push_back(static_cast<float>(c[a]));
-    }
-    for (int a = 0; a < 2 && !centres[a].empty(); ++a) {
-      low[a] = quantile(centres[a], 0.015);
-      high[a] = quantile(centres[a], 0.985);
-    }
+    auto& of = axes[static_cast<size_t>(a)];
+    if (a < 2 && !centres[0].empty())
+      std::tie(low[a], high[a]) = innerRange(centres[static_cast<size_t>(a)], 0.015);
+    else
+      std::tie(low[a], high[a]) = innerRange(of, 0.01);
   }
   g.bounds = Eigen::AlignedBox3d(low, high);
-  g.heights = {quantile(axes[2], 0.005), quantile(axes[2], 0.995)};
+  std::tie(g.heights.low, g.heights.high) = innerRange(axes[2], 0.005);
   if (g.heights.high - g.heights.low < 0.1) g.heights.high = g.heights.low + 0.1;
 }
 
@@ -148,18 +140,6 @@ DisplayNumbers numberPlanes(const Snapshot& now, const ViewGeometry* old) {
   return followNumbers(before, old->numbers, after, labels);
 }
 
-Eigen::Vector3f normalOf(const Snapshot& snapshot, PointRef p) {
-  const ScanProducts& scan = snapshot.scans[static_cast<size_t>(p.scan)];
-  const auto neuron = neuronOf(snapshot, p);
-  return scan.normals && neuron ? scan.normals->normals(*neuron) : Eigen::Vector3f::Constant(std::nanf(""));
-}
-
-bool isProvisional(const ViewGeometry& g, PointRef p) {
-  const ScanLattice* lattice = g.snapshot->scans[static_cast<size_t>(p.scan)].scan->lattice.get();
-  return lattice && g.finalLines < lattice->lines() &&
-         p.offset / static_cast<std::uint32_t>(lattice->beams()) >= static_cast<std::uint32_t>(g.finalLines);
-}
-
 /// Of each cell, whether all its points are; empty if none is.
 std::vector<char> provisionalCells(const ViewGeometry& g) {
   const Snapshot& s = *g.snapshot;
@@ -174,62 +154,6 @@ std::vector<char> provisionalCells(const ViewGeometry& g) {
     for (std::uint32_t i = cells.first[o]; i < cells.first[o + 1] && out[o]; ++i)
       out[o] = cells.source[i] >= finalPoints;
   return out;
-}
-
-std::shared_ptr<const std::vector<std::uint8_t>> colourCloud(ViewGeometry& g,
-                                                             std::array<size_t, kSurfaceClassCount>& counts) {
-  auto rgb = std::make_shared<std::vector<std::uint8_t>>();
-  rgb->reserve(3 * g.cloud->source.size());
-  counts.fill(0);
-  const ViewOptions& options = g.options;
-  const std::vector<float> values = cloudValues(*g.snapshot, *g.cloud, options.colouring);
-  if (!values.empty()) {
-    if (options.cloudRange)
-      g.cloudScale = {options.cloudRange->first, options.cloudRange->second, options.colourMap};
-    else if (options.colouring == CloudColouring::Height)
-      g.cloudScale = {g.heights.low, g.heights.high, options.colourMap};
-    else
-      g.cloudScale = robustScale(values, leastSpan(options.colouring), options.colourMap);
-  }
-  for (size_t i = 0; i < g.cloud->source.size(); ++i) {
-    const PointRef ref = g.cloud->source[i];
-    const SurfaceClass surface = classOf(*g.snapshot, ref);
-    ++counts[static_cast<size_t>(surface)];
-    Rgb c;
-    switch (g.options.colouring) {
-      case CloudColouring::SurfaceClass:
-        c = classColour(surface);
-        break;
-      case CloudColouring::Plane:
-        c = colourOfPlane(options, g.numbers.of(labelOf(*g.snapshot, ref)));
-        break;
-      case CloudColouring::Direction:
-        c = directionColour(normalOf(*g.snapshot, ref));
-        break;
-      default:
-        c = g.cloudScale.colour(values[i]);
-    }
-    if (isProvisional(g, ref)) c = dimmed(c);
-    rgb->insert(rgb->end(), {c.r, c.g, c.b});
-  }
-  return rgb;
-}
-
-std::shared_ptr<const std::vector<std::int32_t>> shownPoints(const ViewGeometry& g) {
-  auto shown = std::make_shared<std::vector<std::int32_t>>();
-  const auto& clip = g.options.clip;
-  std::vector<PlaneLabel> hidden;
-  for (const std::uint32_t number : g.options.hiddenPlanes)
-    if (const PlaneLabel label = g.numbers.labelOf(number); label != kNoPlane) hidden.push_back(label);
-  for (size_t i = 0; i < g.cloud->positions.size(); ++i) {
-    const Eigen::Vector3f& p = g.cloud->positions[i];
-    if (p.z() > g.cut || (clip && !clip->contains(p.cast<double>()))) continue;
-    if (!hidden.empty() &&
-        std::ranges::find(hidden, labelOf(*g.snapshot, g.cloud->source[i])) != hidden.end())
-      continue;
-    shown->push_back(static_cast<std::int32_t>(i));
-  }
-  return shown;
 }
 
 /// Planes of edges as in the last result, where neither edges nor planes changed.
@@ -299,7 +223,7 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
                                                              g.base, g.mapScale, detail, provisional));
     };
     g.columns = mesh(MeshDetail::Full);
-    g.columnsCoarse = mesh(MeshDetail::Coarse);
+    g.columnsCoarse = g.columns->faces() < kCoarseFrom ? g.columns : mesh(MeshDetail::Coarse);
   }
   if (boxesStand) {
     g.boxes = old->boxes;
@@ -314,7 +238,7 @@ void buildMaps(ViewGeometry& g, const ViewGeometry* old, bool heightsStand) {
           buildBoxMesh(*snapshot.intervalMap, ofRecords, g.cut, g.mapScale, detail, clip, provisional));
     };
     g.boxes = mesh(MeshDetail::Full);
-    g.boxesCoarse = mesh(MeshDetail::Coarse);
+    g.boxesCoarse = g.boxes->faces() < kCoarseFrom ? g.boxes : mesh(MeshDetail::Coarse);
     const IntervalMap& map = *snapshot.intervalMap;
     for (size_t o = 0; o + 1 < map.first.size(); ++o) {
       if (clip && !clip->contains(map.frame, map.frame.index(o))) continue;
@@ -400,26 +324,28 @@ ViewGeometryPtr buildViewGeometry(SnapshotPtr snapshot, const ViewOptions& optio
   const bool planesStand = pointsStand && samePlanes(*snapshot, *old->snapshot);
   g->numbers = planesStand ? old->numbers
                            : numberPlanes(*snapshot, pointsStand || (old && stream.goesOn) ? old : nullptr);
-  if (heightsStand && g->finalLines == old->finalLines && sameColours(*snapshot, *old->snapshot) &&
+  const bool coloursStand =
+      heightsStand && g->finalLines == old->finalLines && sameColours(*snapshot, *old->snapshot) &&
       options.colouring == old->options.colouring && options.colourMap == old->options.colourMap &&
-      options.cloudRange == old->options.cloudRange && options.planeColours == old->options.planeColours) {
-    g->cloudRgb = old->cloudRgb;
-    g->classCounts = old->classCounts;
-    g->cloudScale = old->cloudScale;
-  } else {
-    g->cloudRgb = colourCloud(*g, g->classCounts);
-  }
-
-  const bool hides = !options.hiddenPlanes.empty();
-  if (pointsStand && g->cut == old->cut && options.clip == old->options.clip &&
-      options.hiddenPlanes == old->options.hiddenPlanes && (planesStand || !hides))
-    g->cloudShown = old->cloudShown;
-  else
-    g->cloudShown = shownPoints(*g);
-  g->edgePlanes = joinEdges(*snapshot, old);
-
+      options.cloudRange == old->options.cloudRange && options.planeColours == old->options.planeColours;
+  const bool shownStand = pointsStand && g->cut == old->cut && options.clip == old->options.clip &&
+                          options.hiddenPlanes == old->options.hiddenPlanes &&
+                          (planesStand || options.hiddenPlanes.empty());
   g->base = g->heights.low;
-  buildMaps(*g, old, heightsStand);
+  const auto cloudParts = [&] {
+    if (coloursStand) {
+      g->cloudRgb = old->cloudRgb;
+      g->classCounts = old->classCounts;
+      g->cloudScale = old->cloudScale;
+    } else {
+      colourCloud(*g);
+    }
+    g->cloudShown = shownStand ? old->cloudShown : shownPoints(*g);
+    g->edgePlanes = joinEdges(*snapshot, old);
+  };
+  // Cloud and maps write to different members.
+  parallelRows(
+      2, {}, [&](int part, int) { part == 0 ? cloudParts() : buildMaps(*g, old, heightsStand); }, 1);
   return g;
 }
 

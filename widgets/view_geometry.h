@@ -37,8 +37,9 @@ struct ViewOptions {
   bool operator==(const ViewOptions&) const = default;
 };
 
-/// All measured points of all scans in a shuffled order (the same for the same number of points), so that any
-/// prefix is a fair sample: the level of detail while the camera moves.
+/// All measured points of all scans, dealt out into sixteen parts one after another, each part in the order
+/// of the scans: a quarter or so of them from the front is a fair sample, the level of detail while the
+/// camera moves, and what lies side by side in space mostly does so in memory.
 struct CloudGeometry {
   std::vector<Eigen::Vector3f> positions;
   std::vector<PointRef> source;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/vtk_view.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMatrix4x4.h>
@@ -15,9 +14,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QPainter>
-#include <QSurfaceFormat>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -25,6 +22,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "widgets/canvas.h"
 #include "widgets/theme.h"
 
 namespace stratascope {
@@ -127,17 +125,16 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   headerLayout_->addWidget(subtitle_, 1);
   headerLayout_->addWidget(maximise_);
 
-  canvas_ = new QVTKOpenGLNativeWidget(this);
+  window_->SetMultiSamples(0);
+  canvas_ = makeCanvas(window_, this);
   canvas_->setObjectName("canvas");
   canvas_->setMinimumSize(120, 90);
-  window_->SetMultiSamples(0);
-  canvas_->setRenderWindow(window_);
   renderer_->SetBackground(1, 1, 1);
   window_->AddRenderer(renderer_);
   vtkNew<UprightStyle> style;
   style->SetDefaultRenderer(renderer_);
   style->AutoAdjustCameraClippingRangeOn();
-  canvas_->interactor()->SetInteractorStyle(style);
+  window_->GetInteractor()->SetInteractorStyle(style);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -200,7 +197,7 @@ void VtkView::setMaximised(bool maximised) {
 }
 
 vtkRenderWindowInteractor* VtkView::interactor() const {
-  return canvas_->interactor();
+  return window_->GetInteractor();
 }
 
 QWidget* VtkView::canvas() const {
@@ -433,27 +430,6 @@ bool VtkView::eventFilter(QObject* object, QEvent* event) {
     }
   }
   return QFrame::eventFilter(object, event);
-}
-
-QString openGlProblem() {
-  QOpenGLContext context;
-  context.setFormat(QSurfaceFormat::defaultFormat());
-  const QString remedy =
-      QObject::tr("install a graphics driver or Mesa's software renderer, or use stratascope-cli");
-  if (!context.create()) return QObject::tr("OpenGL cannot be used on this display; %1").arg(remedy);
-  const auto version = context.format().version();
-  if (version < qMakePair(3, 2))
-    return QObject::tr("OpenGL 3.2 is needed, this display has %1.%2; %3")
-        .arg(version.first)
-        .arg(version.second)
-        .arg(remedy);
-  return {};
-}
-
-void prepareOpenGl() {
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);  // two to three times faster without a graphics card
-  QSurfaceFormat::setDefaultFormat(format);
 }
 
 }  // namespace stratascope

@@ -16,7 +16,6 @@
 class QBoxLayout;
 class QLabel;
 class QToolButton;
-class QVTKOpenGLNativeWidget;
 class vtkRenderWindowInteractor;
 
 namespace stratascope {
@@ -96,7 +95,7 @@ private:
   void applyPalette();
   void applyPart() const;
 
-  QVTKOpenGLNativeWidget* canvas_;
+  QWidget* canvas_;
   QWidget* header_;
   QBoxLayout* headerLayout_;
   QLabel* title_;
@@ -115,10 +114,5 @@ private:
   bool moving_ = false;        ///< drawn coarse
   bool cameraMoving_ = false;  ///< because the camera moves: linked views follow
 };
-
-/// Why no picture could be drawn here, in one line; empty if OpenGL 3.2 is there. Needs a QApplication.
-QString openGlProblem();
-/// Call before the QApplication is made: Qt's and VTK's surface must agree.
-void prepareOpenGl();
 
 }  // namespace stratascope

@@ -13,6 +13,7 @@
 #include "pipeline/pipeline.h"
 #include "scan/scan_builder.h"
 #include "scan/scanner_geometry.h"
+#include "widgets/opengl.h"
 #include "widgets/param_panel.h"
 #include "widgets/theme.h"
 
