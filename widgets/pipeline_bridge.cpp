@@ -96,6 +96,7 @@ void PipelineBridge::closeStream() {
     built_ = nullptr;
     snapshotStream_ = 0;
     finalLines_ = std::numeric_limits<int>::max();
+    waitsForBuild_ = false;
     newestProgress_ = {};
   }
   progress_ = {};
@@ -137,7 +138,15 @@ void PipelineBridge::collectStream() {
     snapshot_ = std::move(update.snapshot);
     computed_ = GeometryTimes::Clock::now();
   }
-  if (isNew || steadier) build();
+  waitsForBuild_ = waitsForBuild_ || isNew || steadier;
+  if (!waitsForBuild_ || completeScanComes()) return;
+  waitsForBuild_ = false;
+  build();
+}
+
+bool PipelineBridge::completeScanComes() const {
+  return newestProgress_.scanEnded && newestProgress_.busy &&
+         newestProgress_.computed < newestProgress_.arrived;
 }
 
 void PipelineBridge::pollStream() {
@@ -209,7 +218,7 @@ void PipelineBridge::takeGeometry() {
   std::optional<QString> error;
   {
     const std::lock_guard lock(mutex_);
-    std::swap(built, built_);
+    if (!completeScanComes()) std::swap(built, built_);
     std::swap(error, error_);
     if (built) times_ = builtTimes_;
   }

@@ -80,6 +80,8 @@ private:
   void closeStream();
   void poll();
   void build();
+  /// Whether a complete scan is being computed: pictures of what came before would only hold it up.
+  bool completeScanComes() const;
   void takeGeometry();
   void builderLoop(std::stop_token stop);
 
@@ -110,6 +112,7 @@ private:
   SnapshotPtr snapshot_;
   int snapshotStream_ = 0;  ///< the number of the stream it is of
   int finalLines_ = std::numeric_limits<int>::max();
+  bool waitsForBuild_ = false;  // something of the stream is to be shown that was not built yet
   LiveProgress newestProgress_;
   ViewOptions buildOptions_;
   GeometryTimes::Clock::time_point computed_;
