@@ -34,7 +34,6 @@ public:
 private:
   struct Side {
     double sum = 0, count = 0;
-    bool known = false;  // from neurons nearer to the border
   };
   using Sides = PairTable<Side>;  // own, other
 
@@ -48,32 +47,9 @@ private:
           Sides& sides = parts[static_cast<size_t>(begin / kRows)];
           const int stride =
               2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
-          std::vector<std::int32_t> mark(static_cast<size_t>(region.cols()));
-          for (int i = begin; i < end; i += stride) {
-            const auto at = [&](int line, int beam) {
-              return region.contains({line, beam}) ? region({line, beam}) : kNoRegion;
-            };
-            markNear(region, i, inside, mark);
-            for (int j = (i / stride) % 2; j < region.cols(); j += 2) {
-              const std::int32_t own = region({i, j});
-              if (mark[static_cast<size_t>(j)] == 0 || own == kNoRegion) continue;
-              std::int32_t asked = kNoRegion;
-              Side* side = nullptr;
-              double ahead = 0;
-              for (const std::int32_t other :
-                   {at(i - inside, j), at(i + inside, j), at(i, j - inside), at(i, j + inside)}) {
-                if (other == kNoRegion || other == own) continue;
-                if (other != asked) {
-                  asked = other;
-                  side = &sides(own, other);
-                  if (side->count == 0) side->known = between(own, other) != Kind::None;
-                  if (!side->known) ahead = aheadOf(neurons, regions, {i, j}, own, other);
-                }
-                side->sum += ahead;
-                side->count += 1;
-              }
-            }
-          }
+          for (int i = begin; i < end; i += stride)
+            for (const GridIndex step : {GridIndex{-1, 0}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{0, 1}})
+              askAlong(neurons, regions, {i, (i / stride) % 2}, {inside * step.row, inside * step.col}, sides);
         },
         kRows);
     Sides total;
@@ -84,7 +60,7 @@ private:
       }
     constexpr double kFewest = 3;
     for (const auto& [pair, side] : total.entries()) {
-      if (pair.first > pair.second || between(pair.first, pair.second) != Kind::None) continue;
+      if (pair.first > pair.second) continue;
       const Side* back = total.find(pair.second, pair.first);
       if (!back || side.count < kFewest || back->count < kFewest) continue;
       if (side.sum < 0 && back->sum < 0) kinds_(pair.first, pair.second) = Kind::Convex;
@@ -92,25 +68,33 @@ private:
     }
   }
 
-  // mark[beam] ≠ 0 where another label stands so many neurons on along the line or the beam.
-  static void markNear(const Grid<std::int32_t>& region, int line, int inside,
-                       std::vector<std::int32_t>& mark) {
-    const auto beams = static_cast<size_t>(region.cols()), reach = static_cast<size_t>(inside);
-    const std::int32_t* own = region.row(line).data();
-    const std::int32_t* above = line >= inside ? region.row(line - inside).data() : own;
-    const std::int32_t* below = line + inside < region.rows() ? region.row(line + inside).data() : own;
-    for (size_t j = 0; j < beams; ++j) mark[j] = (above[j] ^ own[j]) | (below[j] ^ own[j]);
-    for (size_t j = reach; j < beams; ++j) mark[j] |= own[j - reach] ^ own[j];
-    for (size_t j = 0; j + reach < beams; ++j) mark[j] |= own[j + reach] ^ own[j];
-  }
-  // How far the other plane lies behind a neuron of its own, metres.
-  static double aheadOf(const Neurons& neurons, const PlaneRegions& regions, GridIndex at, std::int32_t own,
-                        std::int32_t other) {
-    const Eigen::Vector3d q = neurons.q(at);
-    const double r = neurons.points.range(at);
-    return std::clamp(regions.planes[static_cast<size_t>(other)].rangeError(q, r) -
-                          regions.planes[static_cast<size_t>(own)].rangeError(q, r),
-                      -1.0, 1.0);
+  // Every other neuron of one line from `first` on is asked about the region at an offset from it. Neighbours
+  // mostly stand between the same two regions: pairs are looked up once for a run of them.
+  void askAlong(const Neurons& neurons, const PlaneRegions& regions, GridIndex first, GridIndex offset,
+                Sides& sides) const {
+    const Grid<std::int32_t>& region = regions.region;
+    const int other = first.row + offset.row, beams = region.cols();
+    if (other < 0 || other >= region.rows()) return;
+    const std::int32_t *own = region.row(first.row).data(), *far = region.row(other).data();
+    const int end = std::min(beams, beams - offset.col);
+    int j = first.col;
+    while (j + offset.col < 0) j += 2;
+    while (j < end) {
+      const std::int32_t a = own[j], b = far[j + offset.col];
+      const int begin = j;
+      do j += 2;
+      while (j < end && own[j] == a && far[j + offset.col] == b);
+      if (a == b || a == kNoRegion || b == kNoRegion || between(a, b) != Kind::None) continue;
+      const RangePlane &ofOwn = regions.planes[static_cast<size_t>(a)],
+                       &ofOther = regions.planes[static_cast<size_t>(b)];
+      Side& side = sides(a, b);
+      for (int k = begin; k < j; k += 2) {
+        const Eigen::Vector3d q = neurons.q({first.row, k});
+        const double r = neurons.points.range({first.row, k});
+        side.sum += std::clamp(ofOther.rangeError(q, r) - ofOwn.rangeError(q, r), -1.0, 1.0);
+        side.count += 1;
+      }
+    }
   }
 
   PairTable<Kind> kinds_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <queue>
 
 namespace stratascope {
 
@@ -143,33 +142,27 @@ void PatchGraph::join(int a, int b, std::vector<int>& added) {
 }
 
 void PatchGraph::joinAll(const Rules& rules, const Execution& execution) {
-  // Lowest growth first; ties by index, so the order is the same everywhere. No branch: which of two entries
-  // comes first is anybody's guess, and the queue asks a dozen times for each.
-  const auto later = [](const Entry& x, const Entry& y) {
-    return static_cast<bool>(
-        static_cast<int>(x.disagreement > y.disagreement) |
-        (static_cast<int>(x.disagreement == y.disagreement) & static_cast<int>(x.pair > y.pair)));
-  };
   // A pair refused while both were small may be welcome once they have grown (and chance alone refuses one in
   // ten thousand), so all pairs are offered again until nothing joins any more.
   bool joined = true;
   size_t popped = 0;
   std::vector<int> added;
+  JoinQueue queue;
   while (joined) {
     joined = false;
-    std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later, weighAll(rules, execution));
+    for (const Entry& entry : weighAll(rules, execution)) queue.push(entry);
     const auto push = [&](int a, int b) {
       if (a > b) std::swap(a, b);
       const Growth g = growth(a, b, rules);
       if (g.allowed) queue.push(entry(a, b, g.disagreement));
     };
-    while (!queue.empty()) {
-      if (popped++ % 4096 == 0) throwIfStopped(execution);
-      const Entry top = queue.top();
-      const int a = top.a(), b = top.b();
-      queue.pop();
-      if (root(a) != a || root(b) != b) continue;
-      if (version_[static_cast<size_t>(a)] + version_[static_cast<size_t>(b)] != top.versions) {
+    const auto isDead = [&](const Entry& e) {
+      return parent_[static_cast<size_t>(e.a())] != e.a() || parent_[static_cast<size_t>(e.b())] != e.b();
+    };
+    for (Entry first; queue.pop(first, isDead);) {
+      if (popped++ % 1024 == 0) throwIfStopped(execution);
+      const int a = first.a(), b = first.b();
+      if (version_[static_cast<size_t>(a)] + version_[static_cast<size_t>(b)] != first.versions) {
         push(a, b);  // one of them grew since: weigh the pair anew
         continue;
       }

@@ -9,6 +9,7 @@
 #include "base/grid.h"
 #include "base/parallel_rows.h"
 #include "layers/range_plane_fit.h"
+#include "segment/join_queue.h"
 #include "segment/pair_table.h"
 
 namespace stratascope {
@@ -61,13 +62,7 @@ private:
     std::vector<int> neighbours;
     void fit();
   };
-  struct Entry {  // of the queue: two patches as they were when weighed
-    double disagreement;
-    std::uint64_t pair;  // the smaller index in the upper half
-    int versions;        // of both, added: they only rise
-    int a() const { return static_cast<int>(pair >> 32); }
-    int b() const { return static_cast<int>(pair & 0xffffffffu); }
-  };
+  using Entry = JoinQueue::Entry;
   struct Growth {
     double disagreement;
     bool allowed;
