@@ -14,7 +14,7 @@ namespace stratascope {
 /// the processor: points and flat faces need nothing of what makes a driver general.
 class DepthPicture {
 public:
-  struct Pixel {
+  struct alignas(4) Pixel {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
   };
   static constexpr float kNothing = 1;  ///< depth where nothing is
@@ -39,6 +39,12 @@ public:
   const std::vector<float>& depths() const { return depths_; }
 
 private:
+  void put(size_t at, float depth, Pixel pixel) {
+    if (depth > depths_[at] || depth >= kNothing) return;
+    depths_[at] = depth;
+    pixels_[at] = pixel;
+  }
+
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
   std::vector<float> depths_;

@@ -7,11 +7,11 @@
 
 #include "base/expected.h"
 #include "widgets/depth_picture.h"
+#include "widgets/pixel_grid.h"
 
 namespace stratascope {
 namespace {
 
-constexpr int kFraction = 256;  // of a pixel, to which corners are rounded
 // How far beside the picture corners may lie, in half pictures, before a face is cut off there.
 constexpr float kBeside = 8;
 constexpr size_t kMostCorners = 10;  // four, and one more for each bound that cuts one off
@@ -58,9 +58,12 @@ struct Place {
   double x, y, z;
 };
 
-/// The first pixel or row whose middle is not below v.
-int firstFrom(double v, int count) {
-  return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(count)));
+/// Whether a face is seen from behind for certain: the volume its corners span with the eye.
+bool showsBack(const Polygon& p) {
+  const Eigen::Vector4f &a = p.corners[0], &b = p.corners[1], &c = p.corners[2];
+  const float volume = a.x() * (b.y() * c.w() - c.y() * b.w()) - a.y() * (b.x() * c.w() - c.x() * b.w()) +
+                       a.w() * (b.x() * c.y() - c.x() * b.y());
+  return volume < -1e-6f * a.w() * b.w() * c.w();
 }
 
 /// One side of a face: where it crosses the rows from begin to before end.
@@ -83,7 +86,7 @@ struct Side {
 }  // namespace
 
 void DepthPicture::drawFaces(std::span<const float> xyz, std::span<const std::uint8_t> rgb,
-                             const Eigen::Matrix4f& clip_T_map) {
+                             const Eigen::Matrix4f& m) {
   require(rgb.size() == xyz.size() && xyz.size() % 12 == 0, "drawFaces: four corners a face, a colour each");
   std::array<Place, kMostCorners> places;
   std::array<int, kMostCorners> rowOf;
@@ -93,12 +96,11 @@ void DepthPicture::drawFaces(std::span<const float> xyz, std::span<const std::ui
     bool cut = false;
     for (size_t i = 0; i < 4; ++i) {
       const float* p = &xyz[at + 3 * i];
-      face.corners[i] =
-          clip_T_map.col(0) * p[0] + clip_T_map.col(1) * p[1] + clip_T_map.col(2) * p[2] + clip_T_map.col(3);
+      face.corners[i] = m.col(0) * p[0] + m.col(1) * p[1] + m.col(2) * p[2] + m.col(3);
       cut |= needsCutting(face.corners[i]);
     }
     if (cut) face = cutToView(face);
-    if (face.count < 3) continue;
+    if (face.count < 3 || showsBack(face)) continue;
 
     double nearest = 1, farthest = 0;
     int lowest = height_, highest = 0;
@@ -106,7 +108,7 @@ void DepthPicture::drawFaces(std::span<const float> xyz, std::span<const std::ui
       const Eigen::Vector4f& c = face.corners[i];
       const double over = 1.0 / c.w();
       const auto rounded = [&](float v, int size) {
-        return std::rint(0.5 * (over * v + 1) * size * kFraction) / kFraction;
+        return fractions(0.5 * (over * v + 1) * size) * (1.0 / kFraction);
       };
       places[i] = {rounded(c.x(), width_), rounded(c.y(), height_), 0.5 * (over * c.z() + 1)};
       nearest = std::min(nearest, places[i].z);
@@ -139,13 +141,8 @@ void DepthPicture::drawFaces(std::span<const float> xyz, std::span<const std::ui
       }
       const size_t line = static_cast<size_t>(row) * static_cast<size_t>(width_);
       double z = a.z + (begin + 0.5 - a.x) * alongX + (y - a.y) * alongY;
-      for (int x = begin; x < end; ++x, z += alongX) {
-        const size_t p = line + static_cast<size_t>(x);
-        const float depth = std::clamp(static_cast<float>(z), least, most);
-        if (depth > depths_[p] || depth >= kNothing) continue;
-        depths_[p] = depth;
-        pixels_[p] = pixel;
-      }
+      for (int x = begin; x < end; ++x, z += alongX)
+        put(line + static_cast<size_t>(x), std::clamp(static_cast<float>(z), least, most), pixel);
     }
   }
 }
