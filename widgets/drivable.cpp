@@ -3,8 +3,6 @@
 #include "widgets/drivable.h"
 
 #include <QObject>
-#include <cmath>
-#include <limits>
 
 #include "widgets/text_format.h"
 
@@ -14,29 +12,11 @@ namespace {
 // Told apart by colour-blind eyes, too, and by their lightness.
 constexpr Rgb kFree{68, 119, 170}, kFreed{238, 187, 51}, kBlocked{140, 140, 146};
 
-/// The place on the floor nearest to the sensor: a scanner often sees no floor at its own feet.
-RobotStart startOnFloor(const Snapshot& snapshot) {
-  RobotStart start = robotStartOf(snapshot);
-  if (!start.ground) return start;
-  const IntervalMap& map = *snapshot.intervalMap;
-  const Eigen::Vector2d sensor = start.at;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (size_t o = 0; o < map.frame.size(); ++o) {
-    if (map.first[o] == map.first[o + 1]) continue;
-    const double height = map.records[map.first[o]].max;
-    const Eigen::Vector2d centre = map.frame.centre(map.frame.index(o));
-    if (std::abs(height - *start.ground) > 0.1 || (centre - sensor).norm() >= nearest) continue;
-    nearest = (centre - sensor).norm();
-    start.at = centre;
-  }
-  return start;
-}
-
 }  // namespace
 
 DrivableColours drivableColours(const Snapshot& snapshot, const RobotParams& robot) {
   const IntervalMap& map = *snapshot.intervalMap;
-  const RobotStart start = startOnFloor(snapshot);
+  const RobotStart start = robotStartOf(snapshot);
   const Traversability extended = reachFrom(map, robot, start),
                        heights = reachFrom(intervalsOf(*snapshot.heightMap), robot, start);
   DrivableColours out;

@@ -3,6 +3,7 @@
 #include "pipeline/snapshot.h"
 
 #include <cmath>
+#include <limits>
 
 namespace stratascope {
 
@@ -44,8 +45,25 @@ RobotStart robotStartOf(const Snapshot& snapshot, const std::optional<Eigen::Vec
     if (scan.planes)
       for (const Plane& plane : scan.planes->planes)
         if (plane.role == "floor" && (!floor || plane.points > floor->points)) floor = &plane;
-  if (floor && std::abs(floor->normal.z()) >= 0.5)
-    start.ground = (floor->offset - floor->normal.head<2>().dot(start.at)) / floor->normal.z();
+  if (!floor || std::abs(floor->normal.z()) < 0.5) return start;
+  const auto groundAt = [&](const Eigen::Vector2d& p) {
+    return (floor->offset - floor->normal.head<2>().dot(p)) / floor->normal.z();
+  };
+  start.ground = groundAt(start.at);
+  if (at) return start;
+
+  // A scanner often sees no floor at its own feet.
+  const IntervalMap& map = *snapshot.intervalMap;
+  const Eigen::Vector2d sensor = start.at;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (size_t o = 0; o < map.frame.size(); ++o) {
+    if (map.first[o] == map.first[o + 1]) continue;
+    const Eigen::Vector2d centre = map.frame.centre(map.frame.index(o));
+    const double ground = groundAt(centre), distance = (centre - sensor).norm();
+    if (std::abs(map.records[map.first[o]].max - ground) > 0.1 || distance >= nearest) continue;
+    nearest = distance;
+    start = {centre, ground};
+  }
   return start;
 }
 

@@ -69,7 +69,8 @@ struct Snapshot {
   const Plane* plane(PlaneLabel label) const;
 };
 
-/// Below the first scan's sensor, or there, on the largest floor if one was found.
+/// At that place, or where the floor was seen nearest to the first scan's sensor (below the sensor if no floor
+/// was found); on the largest floor.
 RobotStart robotStartOf(const Snapshot& snapshot, const std::optional<Eigen::Vector2d>& at = {});
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
