@@ -48,8 +48,10 @@ private:
           const int stride =
               2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
           for (int i = begin; i < end; i += stride)
-            for (const GridIndex step : {GridIndex{-1, 0}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{0, 1}})
-              askAlong(neurons, regions, {i, (i / stride) % 2}, {inside * step.row, inside * step.col}, sides);
+            for (const GridIndex step :
+                 {GridIndex{-1, 0}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{0, 1}})
+              askAlong(neurons, regions, {i, (i / stride) % 2}, {inside * step.row, inside * step.col},
+                       sides);
         },
         kRows);
     Sides total;
@@ -111,37 +113,29 @@ public:
     const std::int32_t own = now(at);
     std::array<std::int32_t, 8> near;
     const bool innermost = at.row > 0 && at.row + 1 < now.rows() && at.col > 0 && at.col + 1 < now.cols();
+    const std::int32_t* centre = &now(at);
     for (size_t d = 0; d < 8; ++d) {
-      const GridIndex from{at.row + kLatticeDirections[d].row, at.col + kLatticeDirections[d].col};
-      near[d] = innermost || now.contains(from) ? now(from) : kNoRegion;
+      const GridIndex step = kLatticeDirections[d];
+      const bool inside = innermost || now.contains({at.row + step.row, at.col + step.col});
+      near[d] = inside ? centre[step.row * now.cols() + step.col] : kNoRegion;
     }
     std::array<Choice, 9> choices;
     size_t kinds = 0;
-    // Which neighbours have a label, one bit each: their labels differ unpredictably at a border, so no
+    // Which neighbours have been counted, one bit each: their labels differ unpredictably at a border, so no
     // branch depends on a single one.
-    const auto bearersOf = [&](std::int32_t label) {
-      unsigned bearers = 0;
-      for (size_t d = 0; d < 8; ++d) bearers |= static_cast<unsigned>(near[d] == label) << d;
-      return bearers;
-    };
-    const auto offer = [&](std::int32_t label, unsigned bearers) {
+    unsigned counted = 0;
+    const auto count = [&](std::int32_t label) {
       int votes = 0;
-      for (unsigned d = 0; d < 8; ++d) votes += static_cast<int>(bearers >> d & 1u);
-      if (alive_[static_cast<size_t>(label)]) choices[kinds++] = {label, votes, 0, 0, 0};
+      for (unsigned d = 0; d < 8; ++d) {
+        const auto same = static_cast<unsigned>(near[d] == label);
+        counted |= same << d, votes += static_cast<int>(same);
+      }
+      if (label != kNoRegion && alive_[static_cast<size_t>(label)])
+        choices[kinds++] = {label, votes, 0, 0, 0};
     };
-    unsigned others = 0xffu & ~bearersOf(kNoRegion);
-    if (own != kNoRegion) {
-      const unsigned bearers = bearersOf(own);
-      offer(own, bearers);
-      others &= ~bearers;
-      if (bearers == 0xffu) return kinds > 0 ? own : kNoRegion;
-    }
-    while (others != 0) {
-      const std::int32_t label = near[static_cast<size_t>(std::countr_zero(others))];
-      const unsigned bearers = bearersOf(label);
-      offer(label, bearers);
-      others &= ~bearers;
-    }
+    count(own);
+    if (counted == 0xffu) return kinds > 0 ? own : kNoRegion;
+    while (counted != 0xffu) count(near[static_cast<size_t>(std::countr_one(counted))]);
     if (kinds == 0) return kNoRegion;
     const Neurons::Place place = neurons_.place(at);
     for (size_t k = 0; k < kinds; ++k) weigh(place, choices[k]);

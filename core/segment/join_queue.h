@@ -57,7 +57,8 @@ private:
   static std::size_t rangeOf(double disagreement) {
     constexpr std::uint64_t kLeast = (1023ull - 26) << 5;
     const std::uint64_t upper = std::bit_cast<std::uint64_t>(disagreement) >> 47;
-    return upper <= kLeast ? 0 : static_cast<std::size_t>(std::min<std::uint64_t>(upper - kLeast, kRanges - 1));
+    return upper <= kLeast ? 0
+                           : static_cast<std::size_t>(std::min<std::uint64_t>(upper - kLeast, kRanges - 1));
   }
   static bool later(const Entry& x, const Entry& y) {
     return x.disagreement != y.disagreement ? x.disagreement > y.disagreement : x.pair > y.pair;

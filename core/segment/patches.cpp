@@ -195,38 +195,47 @@ void Patches::addMixed(const Block& block, const Grid<std::int32_t>& region, Reg
     }
 }
 
+void Patches::addRow(int row, const Grid<std::int32_t>& region, RegionSums& sums) const {
+  for (int c = 0; c < ofBlock_.cols(); ++c) {
+    const Block b = block(row, c);
+    const std::int32_t first = region({b.line, b.beam});
+    bool whole = true;
+    for (int i = b.line; i < b.endLine && whole; ++i)
+      for (int j = b.beam; j < b.endBeam; ++j) whole = whole && region({i, j}) == first;
+    if (!whole) {
+      addMixed(b, region, sums);
+    } else if (first != kNoRegion) {
+      sums.sums[static_cast<size_t>(first)] += ofBlock_({row, c});
+      sums.size[static_cast<size_t>(first)] +=
+          static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
+    }
+  }
+}
+
 Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_t regions,
-                                    const Execution& execution) const {
+                                    const Execution& execution) {
   // Partial sums of a fixed number of rows each, added in order: the same bits for any number of threads.
   constexpr int kParts = 16;
   const int rowsOfPart = std::max(1, (ofBlock_.rows() + kParts - 1) / kParts);
-  std::vector<RegionSums> parts(static_cast<size_t>((ofBlock_.rows() + rowsOfPart - 1) / rowsOfPart));
+  if (summed_.empty()) summed_ = Grid<std::int32_t>(region.rows(), region.cols(), kNoRegion);
+  parts_.resize(static_cast<size_t>((ofBlock_.rows() + rowsOfPart - 1) / rowsOfPart));
   parallelRows(
       ofBlock_.rows(), execution,
       [&](int begin, int end) {
-        RegionSums& part = parts[static_cast<size_t>(begin / rowsOfPart)];
-        part.sums.resize(regions);
-        part.size.resize(regions);
-        for (int r = begin; r < end; ++r)
-          for (int c = 0; c < ofBlock_.cols(); ++c) {
-            const Block b = block(r, c);
-            const std::int32_t first = region({b.line, b.beam});
-            bool whole = true;
-            for (int i = b.line; i < b.endLine && whole; ++i)
-              for (int j = b.beam; j < b.endBeam; ++j) whole = whole && region({i, j}) == first;
-            if (whole) {
-              if (first == kNoRegion) continue;
-              part.sums[static_cast<size_t>(first)] += ofBlock_({r, c});
-              part.size[static_cast<size_t>(first)] +=
-                  static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
-              continue;
-            }
-            addMixed(b, region, part);
-          }
+        RegionSums& part = parts_[static_cast<size_t>(begin / rowsOfPart)];
+        const size_t first = region.offset({begin * blockLines_, 0}),
+                     last = region.offset({std::min(region.rows(), end * blockLines_), 0});
+        const auto now = region.values().subspan(first, last - first);
+        const auto before = summed_.values().subspan(first, last - first);
+        if (part.sums.size() == regions && std::equal(now.begin(), now.end(), before.begin())) return;
+        std::copy(now.begin(), now.end(), before.begin());
+        part.sums.assign(regions, {});
+        part.size.assign(regions, 0);
+        for (int r = begin; r < end; ++r) addRow(r, region, part);
       },
       rowsOfPart);
   RegionSums total{std::vector<PatchSums>(regions), std::vector<std::size_t>(regions, 0)};
-  for (const RegionSums& part : parts)
+  for (const RegionSums& part : parts_)
     for (size_t l = 0; l < regions; ++l) total.sums[l] += part.sums[l], total.size[l] += part.size[l];
   return total;
 }

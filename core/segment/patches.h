@@ -32,7 +32,8 @@ public:
     std::vector<PatchSums> sums;
     std::vector<std::size_t> size;
   };
-  RegionSums sumsOf(const Grid<std::int32_t>& region, std::size_t regions, const Execution& execution) const;
+  /// What was summed up the last time is taken over for the parts of the lattice that are the same still.
+  RegionSums sumsOf(const Grid<std::int32_t>& region, std::size_t regions, const Execution& execution);
 
   static constexpr int kMostLines = 10;  ///< of a block
   static constexpr int kBlockBeams = 4;
@@ -44,6 +45,7 @@ private:
   Block block(int row, int col) const;
   void labelBlock(const Block& block, std::vector<PatchSums>& sums, std::vector<GridIndex>& stack);
   void addTouching(int row, int col, std::vector<LabelPair>& pairs) const;
+  void addRow(int row, const Grid<std::int32_t>& region, RegionSums& sums) const;
   void addMixed(const Block& block, const Grid<std::int32_t>& region, RegionSums& sums) const;
   bool agree(GridIndex a, GridIndex b) const;
 
@@ -53,6 +55,8 @@ private:
   Grid<std::int32_t> patch_;
   std::vector<PatchSums> sums_;
   Grid<PatchSums> ofBlock_;        // of all neurons with a normal
+  Grid<std::int32_t> summed_;      // the regions of the last sumsOf()…
+  std::vector<RegionSums> parts_;  // …and its partial sums
   Grid<std::int32_t> wholePatch_;  // of a block that is one patch, or kNoRegion
 };
 

@@ -203,7 +203,7 @@ private:
   bool join(const std::vector<LabelPair>& alsoConnected) {
     const Patches::RegionSums measured = patches_.sumsOf(regions_.region, regions_.planes.size(), execution_);
     PatchGraph graph(measured.sums, execution_);
-    graph.connect(touching(regions_.region, 3, true, execution_));
+    graph.connect(touching_.pairs(regions_.region, execution_));
     graph.connect(alsoConnected);
     graph.joinAll(rules_, execution_);
     regions_.size = measured.size;
@@ -257,6 +257,7 @@ private:
   const Execution& execution_;
   Patches patches_;
   BorderNetwork borders_;
+  TouchingRegions touching_;
   PatchGraph::Rules rules_;
   PlaneRegions regions_;
   std::vector<char> alive_;

@@ -9,48 +9,99 @@
 
 namespace stratascope {
 
-std::vector<LabelPair> touching(const Grid<std::int32_t>& labels, int farthest, bool diagonally,
-                                const Execution& execution) {
+namespace {
+
+constexpr int kRows = 32;  // of one part
+
+std::vector<std::vector<LabelPair>> partsOf(const Grid<std::int32_t>& labels) {
+  return std::vector<std::vector<LabelPair>>(static_cast<size_t>((labels.rows() + kRows - 1) / kRows));
+}
+
+std::vector<GridIndex> offsetsUpTo(int farthest, bool diagonally) {
   std::vector<GridIndex> offsets;
   for (int reach = 1; reach <= farthest; ++reach) offsets.insert(offsets.end(), {{reach, 0}, {0, reach}});
   if (diagonally)
     for (int reach = 1; reach <= farthest; ++reach)
       offsets.insert(offsets.end(), {{reach, reach}, {reach, -reach}});
+  return offsets;
+}
+
+// Pairs that neurons of some lines form with what lies at those offsets from them.
+std::vector<LabelPair> walk(const Grid<std::int32_t>& labels, int begin, int end, int farthest,
+                            const std::vector<GridIndex>& offsets) {
   struct Nothing {};
-  constexpr int kRows = 32;
-  std::vector<PairTable<Nothing>> parts(static_cast<size_t>((labels.rows() + kRows - 1) / kRows));
-  parallelRows(
-      labels.rows(), execution,
-      [&](int begin, int end) {
-        PairTable<Nothing>& pairs = parts[static_cast<size_t>(begin / kRows)];
-        std::vector<std::int32_t> mark;
-        for (int i = begin; i < end; ++i) {
-          // Whatever can be reached from inside a region is reached from its border, too.
-          markBorders(labels, i, Adjacency::Four, mark);
-          const std::int32_t* row = labels.row(i).data();
-          const bool wholeAround = i + farthest < labels.rows();
-          forEachMarked(mark, [&](int j) {
-            const std::int32_t a = row[j];
-            if (a == kNoRegion) return;
-            const bool inside = wholeAround && j >= farthest && j + farthest < labels.cols();
-            std::int32_t seen = a;  // most neurons meet one other label, many times
-            for (const GridIndex& offset : offsets) {
-              if (!inside && !labels.contains({i + offset.row, j + offset.col})) continue;
-              const std::int32_t b = row[offset.row * labels.cols() + j + offset.col];
-              if (b == seen || b == kNoRegion || b == a) continue;
-              seen = b;
-              pairs(std::min(a, b), std::max(a, b));
-            }
-          });
-        }
-      },
-      kRows);
+  PairTable<Nothing> pairs;
+  std::vector<std::int32_t> mark;
+  for (int i = begin; i < end; ++i) {
+    // Whatever can be reached from inside a region is reached from its border, too.
+    markBorders(labels, i, Adjacency::Four, mark);
+    const std::int32_t* row = labels.row(i).data();
+    const bool wholeAround = i + farthest < labels.rows();
+    forEachMarked(mark, [&](int j) {
+      const std::int32_t a = row[j];
+      if (a == kNoRegion) return;
+      const bool inside = wholeAround && j >= farthest && j + farthest < labels.cols();
+      std::int32_t seen = a;  // most neurons meet one other label, many times
+      for (const GridIndex& offset : offsets) {
+        if (!inside && !labels.contains({i + offset.row, j + offset.col})) continue;
+        const std::int32_t b = row[offset.row * labels.cols() + j + offset.col];
+        if (b == seen || b == kNoRegion || b == a) continue;
+        seen = b;
+        pairs(std::min(a, b), std::max(a, b));
+      }
+    });
+  }
+  std::vector<LabelPair> result;
+  for (const auto& entry : pairs.entries()) result.push_back(entry.pair);
+  return result;
+}
+
+std::vector<LabelPair> unite(const std::vector<std::vector<LabelPair>>& parts) {
   std::vector<LabelPair> all;
-  for (const auto& part : parts)
-    for (const auto& entry : part.entries()) all.push_back(entry.pair);
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
+}
+
+}  // namespace
+
+std::vector<LabelPair> touching(const Grid<std::int32_t>& labels, int farthest, bool diagonally,
+                                const Execution& execution) {
+  const std::vector<GridIndex> offsets = offsetsUpTo(farthest, diagonally);
+  std::vector<std::vector<LabelPair>> parts = partsOf(labels);
+  parallelRows(
+      labels.rows(), execution,
+      [&](int begin, int end) {
+        parts[static_cast<size_t>(begin / kRows)] = walk(labels, begin, end, farthest, offsets);
+      },
+      kRows);
+  return unite(parts);
+}
+
+std::vector<LabelPair> TouchingRegions::pairs(const Grid<std::int32_t>& labels, const Execution& execution) {
+  constexpr int kFarthest = 3;
+  const std::vector<GridIndex> offsets = offsetsUpTo(kFarthest, true);
+  const bool first = walked_.empty();
+  if (first) parts_ = partsOf(labels), walked_ = labels;
+  std::vector<char> same(static_cast<size_t>(labels.rows()), 1);
+  parallelRows(labels.rows(), execution, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      same[static_cast<size_t>(i)] =
+          std::equal(labels.row(i).begin(), labels.row(i).end(), walked_.row(i).begin()) ? 1 : 0;
+  });
+  parallelRows(
+      labels.rows(), execution,
+      [&](int begin, int end) {
+        // A line's borders depend on the line before, its pairs on the next three.
+        const auto from = same.begin() + std::max(0, begin - 1),
+                   to = same.begin() + std::min(labels.rows(), end + kFarthest);
+        if (!first && std::all_of(from, to, [](char s) { return s != 0; })) return;
+        parts_[static_cast<size_t>(begin / kRows)] = walk(labels, begin, end, kFarthest, offsets);
+      },
+      kRows);
+  walked_ = labels;
+  return unite(parts_);
 }
 
 }  // namespace stratascope

@@ -16,4 +16,15 @@ namespace stratascope {
 std::vector<LabelPair> touching(const Grid<std::int32_t>& labels, int farthest, bool diagonally,
                                 const Execution& execution);
 
+/// The same of labels that change a little between one time and the next, up to three neurons apart and on
+/// diagonals, too: only parts of the lattice that changed are walked again.
+class TouchingRegions {
+public:
+  std::vector<LabelPair> pairs(const Grid<std::int32_t>& labels, const Execution& execution);
+
+private:
+  Grid<std::int32_t> walked_;
+  std::vector<std::vector<LabelPair>> parts_;
+};
+
 }  // namespace stratascope

@@ -58,7 +58,7 @@ Borders bordersOf(const Neurons& neurons, const PlaneRegions& regions, const Exe
 
 }  // namespace
 
-std::vector<std::int32_t> joinUneven(const Neurons& neurons, const Patches& patches, PlaneRegions& regions,
+std::vector<std::int32_t> joinUneven(const Neurons& neurons, Patches& patches, PlaneRegions& regions,
                                      const Execution& execution) {
   std::vector<std::int32_t> standsFor(regions.planes.size());
   std::iota(standsFor.begin(), standsFor.end(), 0);

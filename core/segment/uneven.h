@@ -17,7 +17,7 @@ namespace stratascope {
 /// plane distance of the plane fitted to both. Joined greedily, the least bent pair first. Gives the region
 /// that stands for each one (the smallest index joined with it); `regions.planes` of those become the common
 /// plane. The curved are none of these (see curved.h): call it when they are gone.
-std::vector<std::int32_t> joinUneven(const Neurons& neurons, const Patches& patches, PlaneRegions& regions,
+std::vector<std::int32_t> joinUneven(const Neurons& neurons, Patches& patches, PlaneRegions& regions,
                                      const Execution& execution);
 
 }  // namespace stratascope
