@@ -29,6 +29,7 @@ void DepthPicture::begin(int width, int height) {
   const size_t count = static_cast<size_t>(width_) * static_cast<size_t>(height_);
   pixels_.resize(count);
   depths_.assign(count, kNothing);
+  part_ = {width_, height_, 0, 0};
 }
 
 void DepthPicture::drawPoints(std::span<const Eigen::Vector3f> positions, std::span<const std::uint8_t> rgb,
@@ -53,6 +54,7 @@ void DepthPicture::drawPoints(std::span<const Eigen::Vector3f> positions, std::s
     const Pixel pixel{rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]};
     const Extent columns = covered(0.5f * (right + 1) * width, side, width_),
                  rows = covered(0.5f * (up + 1) * height, side, height_);
+    touch(columns.begin, rows.begin, columns.end, rows.end);
     for (int row = rows.begin; row < rows.end; ++row) {
       const size_t line = static_cast<size_t>(row) * static_cast<size_t>(width_);
       for (int column = columns.begin; column < columns.end; ++column)

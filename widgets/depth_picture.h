@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,10 @@ class DepthPicture {
 public:
   struct alignas(4) Pixel {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  };
+  struct Part {
+    int left, bottom, right, top;  ///< the last two past the end
+    bool empty() const { return left >= right || bottom >= top; }
   };
   static constexpr float kNothing = 1;  ///< depth where nothing is
 
@@ -37,8 +42,14 @@ public:
   const std::vector<Pixel>& pixels() const { return pixels_; }
   /// From 0, near, to 1; kNothing where nothing is.
   const std::vector<float>& depths() const { return depths_; }
+  /// Outside this nothing is.
+  const Part& part() const { return part_; }
 
 private:
+  void touch(int left, int bottom, int right, int top) {
+    part_ = {std::min(part_.left, left), std::min(part_.bottom, bottom), std::max(part_.right, right),
+             std::max(part_.top, top)};
+  }
   void put(size_t at, float depth, Pixel pixel) {
     if (depth > depths_[at] || depth >= kNothing) return;
     depths_[at] = depth;
@@ -46,6 +57,7 @@ private:
   }
 
   int width_ = 0, height_ = 0;
+  Part part_{};
   std::vector<Pixel> pixels_;
   std::vector<float> depths_;
 };

@@ -139,6 +139,7 @@ void DepthPicture::drawFaces(std::span<const float> xyz, std::span<const std::ui
         const Side side(places[i], places[next], rowOf[i], rowOf[next]);
         (side.right ? end : begin) = firstFrom(side.at(y), width_);
       }
+      touch(begin, row, end, row + 1);
       const size_t line = static_cast<size_t>(row) * static_cast<size_t>(width_);
       double z = a.z + (begin + 0.5 - a.x) * alongX + (y - a.y) * alongY;
       for (int x = begin; x < end; ++x, z += alongX)

@@ -73,19 +73,27 @@ int PaintedProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   picture_.begin(width, height);
   paint(picture_, clip_T_map);
 
+  const DepthPicture::Part& part = picture_.part();
+  if (part.empty()) return 0;
+  vtkOpenGLState* state = window->GetState();
   const bool sameSize = width == width_ && height == height_;
   const auto upload = [&](vtkTextureObject* texture, int components, int type, unsigned format,
-                          unsigned glType, const void* values) {
+                          unsigned glType, const auto* values) {
     texture->SetContext(window);
     if (sameSize) {
+      // The part where something is; what is left over elsewhere is not drawn.
       texture->Activate();
-      context->functions()->glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, format, glType, values);
+      state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, width);
+      context->functions()->glTexSubImage2D(GL_TEXTURE_2D, 0, part.left, part.bottom, part.right - part.left,
+                                            part.top - part.bottom, format, glType,
+                                            values + part.bottom * width + part.left);
+      state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
       return;
     }
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     texture->Create2DFromRaw(static_cast<unsigned>(width), static_cast<unsigned>(height), components, type,
-                             const_cast<void*>(values));
+                             const_cast<void*>(static_cast<const void*>(values)));
     texture->Activate();
   };
   upload(colours_, 4, VTK_UNSIGNED_CHAR, GL_RGBA, GL_UNSIGNED_BYTE, picture_.pixels().data());
@@ -99,8 +107,11 @@ int PaintedProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
   quad_->Program->SetUniformi("colours", colours_->GetTextureUnit());
   quad_->Program->SetUniformi("depths", depths_->GetTextureUnit());
-  vtkOpenGLState* state = window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST),
+      cutting(state, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglScissor before(state);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(left + part.left, bottom + part.bottom, part.right - part.left, part.top - part.bottom);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
   quad_->Render();
