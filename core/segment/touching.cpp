@@ -32,24 +32,34 @@ std::vector<LabelPair> walk(const Grid<std::int32_t>& labels, int begin, int end
   struct Nothing {};
   PairTable<Nothing> pairs;
   std::vector<std::int32_t> mark;
+  std::vector<std::uint64_t> found(offsets.size() * static_cast<size_t>(labels.cols()) + 1);
   for (int i = begin; i < end; ++i) {
     // Whatever can be reached from inside a region is reached from its border, too.
     markBorders(labels, i, Adjacency::Four, mark);
     const std::int32_t* row = labels.row(i).data();
     const bool wholeAround = i + farthest < labels.rows();
+    size_t count = 0;
+    std::uint64_t last = 0;  // of no pair: 0 is less than any other label
     forEachMarked(mark, [&](int j) {
       const std::int32_t a = row[j];
       if (a == kNoRegion) return;
       const bool inside = wholeAround && j >= farthest && j + farthest < labels.cols();
-      std::int32_t seen = a;  // most neurons meet one other label, many times
       for (const GridIndex& offset : offsets) {
         if (!inside && !labels.contains({i + offset.row, j + offset.col})) continue;
         const std::int32_t b = row[offset.row * labels.cols() + j + offset.col];
-        if (b == seen || b == kNoRegion || b == a) continue;
-        seen = b;
-        pairs(std::min(a, b), std::max(a, b));
+        // Written in any case and kept if it is a pair, and another than the last: no guess, no branch.
+        const std::uint64_t pair =
+            static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
+        const std::uint64_t keep = static_cast<std::uint64_t>(b != a) &
+                                   static_cast<std::uint64_t>(b != kNoRegion) &
+                                   static_cast<std::uint64_t>(pair != last);
+        found[count] = pair;
+        last ^= (last ^ pair) & (0 - keep);
+        count += keep;
       }
     });
+    for (size_t k = 0; k < count; ++k)
+      pairs(static_cast<std::int32_t>(found[k] >> 32), static_cast<std::int32_t>(found[k] & 0xffffffffu));
   }
   std::vector<LabelPair> result;
   for (const auto& entry : pairs.entries()) result.push_back(entry.pair);
