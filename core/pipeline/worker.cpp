@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/worker.h"
 
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -15,6 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto kShowAtLeastEvery = std::chrono::milliseconds(250);
+constexpr double kSoon = 0.1;  // seconds: a result that comes so soon is worth more than an earlier start
 
 // First stage that differs between two sets of parameters; kStageCount if none does.
 int firstDifference(const PipelineParams& a, const PipelineParams& b) {
@@ -46,9 +48,18 @@ struct Worker::State {
   std::optional<Stage> stage;
   std::stop_source stop;
   Clock::time_point lastResult = Clock::now();
+  std::optional<std::array<StageReport, kStageCount>> lastStages;  // what each took when it last ran
   WorkerUpdate out;
   std::thread thread;
 
+  /// Whether the running job should be done within kSoon, by what its stages took before.
+  bool endsSoon() const {
+    if (!lastStages) return false;
+    double left = 0;
+    for (auto s = static_cast<size_t>(stage.value_or(Stage::Points)); s < lastStages->size(); ++s)
+      left += (*lastStages)[s].seconds;
+    return left < kSoon;
+  }
   void loop();
   void runOne(Pipeline& pipeline, Request request, std::stop_token token);
 };
@@ -81,7 +92,8 @@ void Worker::request(std::optional<std::vector<ScanPtr>> scans, const PipelinePa
     if (s.running) {
       const int running = s.stage ? static_cast<int>(*s.stage) : 0;
       const bool pointless = newScans || firstDifference(s.running->params, params) <= running;
-      if (newScans || (pointless && Clock::now() - s.lastResult < kShowAtLeastEvery)) s.stop.request_stop();
+      if (newScans || (pointless && !s.endsSoon() && Clock::now() - s.lastResult < kShowAtLeastEvery))
+        s.stop.request_stop();
     }
   }
   s.wake.notify_one();
@@ -145,6 +157,7 @@ void Worker::State::runOne(Pipeline& pipeline, Request request, std::stop_token 
     });
     if (!result) return fail(result.error().message());
     const std::lock_guard lock(mutex);
+    lastStages = (*result)->stages;
     out.snapshot = std::move(*result);
     out.error.reset();
     lastResult = Clock::now();

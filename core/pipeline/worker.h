@@ -27,10 +27,10 @@ enum class ScanChange : std::uint8_t {
 };
 
 /// One thread around a Pipeline. Requests go into a one-place slot: the newest wins. A running job is stopped
-/// when a newer request makes it pointless: something at or before the running stage changed, and a result
-/// appeared within the last quarter second (always cancelling would show nothing during a drag). All calls
-/// are thread-safe and return at once, but for the destructor, which stops the job and joins (well under two
-/// seconds).
+/// when a newer request makes it pointless: something at or before the running stage changed, a result
+/// appeared within the last quarter second (always cancelling would show nothing during a drag), and the job
+/// would take longer than another tenth of a second. All calls are thread-safe and return at once, but for
+/// the destructor, which stops the job and joins (well under two seconds).
 class Worker {
 public:
   /// notify is called from the worker thread, without arguments, when an update can be taken. It must not
