@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/block_pool.h"
 #include "base/expected.h"
 
 namespace stratascope {
@@ -76,7 +77,7 @@ public:
 private:
   int rows_ = 0;
   int cols_ = 0;
-  std::vector<T> values_;
+  std::vector<T, PoolAllocator<T>> values_;
 };
 
 }  // namespace stratascope

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -68,6 +68,7 @@ public:
     if (!history.normals || !history.normals->memory || !Unchanged::canTell(*history.points, image)) return;
     before_ = history.normals;
     unchanged_.emplace(*history.points, image);
+    recalled_.resize(static_cast<size_t>(lines));
   }
 
   void run(const Execution& execution) {
@@ -80,7 +81,7 @@ public:
       takeOver(kLevels[level], open, execution);
     }
     for (int step = 0; step < kSpread && !open.empty(); ++step) spread(open, execution);
-    memory_->recalled = recalled_;
+    memory_->recalled = std::accumulate(recalled_.begin(), recalled_.end(), size_t{0});
   }
 
 private:
@@ -108,7 +109,7 @@ private:
     result_.reach[o] = before_->reach[o];
     window_[o] = before_->memory->window[o];
     gotNormalIn_[o] = step_;
-    recalled_.fetch_add(1, std::memory_order_relaxed);
+    ++recalled_[o / static_cast<size_t>(image_.range.cols())];
   }
 
   /// After a neuron was looked at anew: is it as it was after this step?
@@ -408,7 +409,7 @@ private:
   Grid<OwnWindow>& window_ = memory_->window;
   Grid<std::uint8_t>& gotNormalIn_ = memory_->step;
   std::uint8_t step_ = 0;
-  std::atomic<size_t> recalled_ = 0;
+  std::vector<size_t> recalled_;  // neurons a line; no two threads look at the same line
   const NormalImage* before_ = nullptr;  // an earlier run, and what is as it was then
   std::optional<Unchanged> unchanged_;
   const WindowRule rule_{image_, params_};
