@@ -9,12 +9,13 @@
 
 namespace stratascope {
 
-/// A stream may run for days, and computes whole lattices again and again: from now on their memory goes back
-/// to the system each time, and does not leave holes in the heap.
+/// A stream may run for days, and computes whole scans again and again: from now on the largest blocks, those
+/// the pool of lattices does not keep, go back to the system each time, and do not leave holes in the heap.
 inline void returnLargeBlocks() {
 #ifdef __GLIBC__
-  constexpr int kLargeBlock = 1 << 18;
+  constexpr int kLargeBlock = 1 << 22, kKept = 1 << 26;
   mallopt(M_MMAP_THRESHOLD, kLargeBlock);
+  mallopt(M_TRIM_THRESHOLD, kKept);  // what is freed at the heap's end is wanted again by the next picture
 #endif
 }
 

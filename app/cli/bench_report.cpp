@@ -57,7 +57,7 @@ std::string timesTable(const BenchResult& r) {
                                     : "");
   }
   add("whole pipeline, new each time", threads, r.pipeline);
-  add("whole pipeline, memory at hand", threads, r.again);
+  add("whole pipeline, the same scan again", threads, r.again);
   if (r.threads > 1) add("whole pipeline, one thread", "1", r.oneThread);
   for (const BenchPeer& peer : r.peers)
     add(peer.name, std::to_string(peer.threads), peer.seconds, normalsText(peer.normals),

@@ -50,6 +50,7 @@ private:
   int first_ = 0, end_ = 0;
   size_t stride_ = 0;
   size_t capacity_ = 0;
+  // Not pooled: idle it would be the largest thing in memory while planes are found.
   std::unique_ptr<Entry[]> table_;  // one row and one column of zeros before the first
 };
 

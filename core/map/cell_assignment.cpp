@@ -8,9 +8,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <string>
 #include <utility>
+
+#include "base/block_pool.h"
 
 namespace stratascope {
 namespace {
@@ -178,7 +179,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
   Expected<MapFrame> window = windowOf(bounds, params.cell);
   if (!window) return window.error();
   const MapFrame frame = result.frame = *window;
-  const auto cellOf = std::make_unique_for_overwrite<std::uint32_t[]>(total);
+  const PooledArray<std::uint32_t> cellOf(total);
   eachPart(parts, execution, [&](const Part& part, size_t) {
     for (size_t k = 0; k < part.points.size(); ++k)
       if (const Eigen::Vector3f& p = part.points[k]; isFinite(p))
@@ -215,7 +216,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
     for (auto& ofGroup : placeOf) place += std::exchange(ofGroup[o], place);
   }
   first.back() = place;
-  const auto keys = std::make_unique_for_overwrite<std::uint64_t[]>(bounds.count);
+  const PooledArray<std::uint64_t> keys(bounds.count);
   eachGroup([&](std::uint32_t& at, const Eigen::Vector3f& p, size_t source) {
     // + 0 turns −0 into 0, so that equal heights are equal bits
     keys[at++] = std::uint64_t{risingBits(p.z() + 0.0f)} << 32 | source;
