@@ -16,7 +16,6 @@ namespace stratascope {
 namespace {
 
 constexpr size_t kTimes = 7;
-constexpr double kSpeed = 10;
 constexpr int kPauseMs = 700;
 const QEvent::Type kPresented = static_cast<QEvent::Type>(QEvent::registerEventType());
 
@@ -26,8 +25,8 @@ double milliseconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
-LiveBench::LiveBench(MainWindow& window, const std::string& file)
-    : QObject(&window), window_(window), file_(playedFile(file)) {
+LiveBench::LiveBench(MainWindow& window, const std::string& file, double speed)
+    : QObject(&window), window_(window), file_(playedFile(file)), speed_(speed) {
   connect(&window_, &MainWindow::failed, this, [](const QString& message) {
     std::fprintf(stderr, "stratascope: %s\n", message.toLocal8Bit().constData());
     QCoreApplication::exit(1);
@@ -47,7 +46,7 @@ void LiveBench::play() {
   }
   StreamRequest request;
   request.address = file_;
-  request.speed = kSpeed;
+  request.speed = speed_;
   playing_ = true;
   window_.openStream(request);
 }

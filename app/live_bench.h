@@ -11,13 +11,13 @@ namespace stratascope {
 
 class MainWindow;
 
-/// --measure-live: plays a scan several times at ten times the scanner's speed and measures the time from the
-/// arrival of its last line until all three views show its result, by parts. Prints a table and ends the
-/// program.
+/// --measure-live: plays a scan several times, at ten times the scanner's speed unless told, and measures the
+/// time from the arrival of its last line until all three views show its result, by parts. Prints a table and
+/// ends the program.
 class LiveBench : public QObject {
   Q_OBJECT
 public:
-  LiveBench(MainWindow& window, const std::string& file);
+  LiveBench(MainWindow& window, const std::string& file, double speed);
 
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -37,6 +37,7 @@ private:
 
   MainWindow& window_;
   std::string file_;
+  double speed_;  // times the scanner's
   bool playing_ = false, presenting_ = false;
   std::vector<Sample> samples_;
 };

@@ -22,8 +22,8 @@
 #include "app/picture_dialog.h"
 #include "io/export.h"
 #include "params/param_table.h"
-#include "widgets/theme.h"
 #include "widgets/opengl.h"
+#include "widgets/theme.h"
 
 namespace {
 
@@ -32,6 +32,7 @@ struct Arguments {
   stratascope::cli::ParamOptions params;
   std::string batch, theme = "system", size, language, picture;
   std::vector<std::string> drag;
+  double liveSpeed = 10;
   bool measureDrag = false, measureLive = false;
 
   bool stream() const { return files.size() == 1 && stratascope::looksLikeStreamAddress(files.front()); }
@@ -142,7 +143,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
       if (arguments.drag.size() > 1) seconds = QString::fromStdString(arguments.drag[1]).toDouble();
       new DragBench(window, keys, seconds);
     } else if (arguments.measureLive) {
-      new LiveBench(window, arguments.files.front());
+      new LiveBench(window, arguments.files.front(), arguments.liveSpeed);
     } else {
       new Batch(window, QFile::decodeName(arguments.batch.c_str()),
                 pictureSizeFromText(QString::fromStdString(arguments.picture)));
@@ -200,6 +201,9 @@ int main(int argc, char** argv) {
   cli.add_flag("--measure-live", arguments.measureLive,
                "Play the scan at ten times the scanner's speed, several times, print how long after the last "
                "line the final picture stands, and quit");
+  cli.add_option("--live-speed", arguments.liveSpeed,
+                 "With --measure-live: times the scanner's speed instead of 10")
+      ->check(CLI::Range(0.25, 50.0));
   cli.set_version_flag("--version", std::string("stratascope ") + stratascope::versionText());
   try {
     cli.parse(argc, argv);

@@ -51,7 +51,7 @@ void* BlockPool::take(std::size_t bytes) {
 }
 
 void BlockPool::giveBack(void* block, std::size_t bytes) noexcept {
-  if (!isKept(bytes)) return ::operator delete(block);
+  if (!isKept(bytes) || !keeps_) return ::operator delete(block);
   bytes = rounded(bytes);
   std::list<Block> dropped;
   try {

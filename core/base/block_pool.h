@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <list>
 #include <mutex>
@@ -22,6 +23,9 @@ public:
   static BlockPool& common();
   ~BlockPool();
 
+  /// From now on; until then everything given back is freed. A single run is smaller that way.
+  void startKeeping() { keeps_ = true; }
+
   /// Throws std::bad_alloc.
   void* take(std::size_t bytes);
   /// bytes: as given to take().
@@ -33,6 +37,7 @@ private:
     void* memory;
     std::size_t bytes;
   };
+  std::atomic<bool> keeps_ = false;
   mutable std::mutex mutex_;
   std::list<Block> idle_;  // the one given back last in front
   std::size_t idleBytes_ = 0;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/block_pool.h"
 #include "base/units.h"
 #include "layers/normals.h"
 #include "layers/point_layer.h"
@@ -291,6 +292,7 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
   snapshot->intervalMap = s.intervalMap;
   snapshot->objectMap = s.objectMap;
   snapshot->stages = s.reports;
+  BlockPool::common().startKeeping();  // whoever runs once may run again, and wants the same sizes
   return SnapshotPtr(std::move(snapshot));
 }
 

@@ -21,6 +21,9 @@ constexpr bool kKeeps = true;
 TEST(BlockPool, ABlockGivenBackServesTheNextOfItsSize) {
   BlockPool pool;
   constexpr size_t kBytes = BlockPool::kSmallest + 12345;
+  pool.giveBack(pool.take(kBytes), kBytes);
+  EXPECT_EQ(pool.idle(), 0u);  // not asked to yet
+  pool.startKeeping();
   void* first = pool.take(kBytes);
   std::memset(first, 1, kBytes);
   pool.giveBack(first, kBytes);
@@ -37,6 +40,7 @@ TEST(BlockPool, ABlockGivenBackServesTheNextOfItsSize) {
 
 TEST(BlockPool, SmallBlocksAndMoreThanItsMostAreNotKept) {
   BlockPool pool;
+  pool.startKeeping();
   pool.giveBack(pool.take(100), 100);
   EXPECT_EQ(pool.idle(), 0u);
   constexpr size_t kBytes = BlockPool::kMostIdle / 4;
