@@ -52,10 +52,10 @@ struct BenchResult {
   std::size_t neurons = 0, points = 0;
   std::array<double, kStageCount> stages{};  ///< with `threads`
   double pipeline = 0;                       ///< a pipeline of its own every run
-  double again = 0;                          ///< the same pipeline every run: its memory is there already
-  double oneThread = 0;                      ///< as `pipeline`, with one thread
-  double busyGain = 1;                       ///< see busyThreadGain, measured between the runs
-  bool sameBits = true;                      ///< one thread and `threads` gave the same products
+  double again = 0;      ///< one pipeline given the same scan again: what does not change is not computed
+  double oneThread = 0;  ///< as `pipeline`, with one thread
+  double busyGain = 1;   ///< see busyThreadGain, measured between the runs
+  bool sameBits = true;  ///< one thread and `threads` gave the same products
   std::size_t heightMapBytes = 0, intervalMapBytes = 0;
   std::optional<NormalQuality> normals;
   std::optional<std::size_t> truthPlanes, correct;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "layers/products.h"
 
 namespace stratascope {
 
@@ -37,6 +38,12 @@ template <class T>
 bool sameBits(const Grid<T>& a, const Grid<T>& b, int line) {
   return line < a.rows() && line < b.rows() &&
          std::memcmp(a.row(line).data(), b.row(line).data(), a.row(line).size_bytes()) == 0;
+}
+
+/// Whether all that is known of a line's points is the same: ranges and their noise, points, lattice steps.
+inline bool sameLine(const PointImage& a, const PointImage& b, int line) {
+  return sameBits(a.range, b.range, line) && sameBits(a.points, b.points, line) &&
+         a.steps.sameLine(b.steps, line) && a.noise.sameFor(b.range.row(line), b.noise);
 }
 
 }  // namespace stratascope

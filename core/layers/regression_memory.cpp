@@ -13,11 +13,7 @@ bool Unchanged::canTell(const PointImage& before, const PointImage& now) {
 Unchanged::Unchanged(const PointImage& before, const PointImage& now)
     : changedStates_(now.range.rows(), [](int) { return true; }),
       changed_(now.range.rows(), now.range.cols()) {
-  const auto same = [&](int i) {
-    return sameBits(before.range, now.range, i) && sameBits(before.points, now.points, i) &&
-           before.steps.sameLine(now.steps, i) && before.noise.sameFor(now.range.row(i), now.noise);
-  };
-  while (lines_ < now.range.rows() && same(lines_)) ++lines_;
+  while (lines_ < now.range.rows() && sameLine(before, now, lines_)) ++lines_;
 }
 
 void Unchanged::update() {

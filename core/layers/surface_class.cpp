@@ -287,10 +287,7 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
   const bool anew = !before.classes || before.points->range.cols() != beams ||
                     before.classes->wallDirection != image.wallDirection;
   const ChangedLines changed(lines, [&](int i) {
-    return !anew && sameBits(before.points->range, points.range, i) &&
-           sameBits(before.points->points, points.points, i) &&
-           before.points->steps.sameLine(points.steps, i) &&
-           before.points->noise.sameFor(points.range.row(i), points.noise) &&
+    return !anew && sameLine(*before.points, points, i) &&
            sameBits(before.normals->normals, normals.normals, i) &&
            sameBits(before.normals->distance, normals.distance, i);
   });

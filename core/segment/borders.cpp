@@ -34,32 +34,18 @@ public:
 private:
   struct Side {
     double sum = 0, count = 0;
+    void operator+=(const Side& o) { sum += o.sum, count += o.count; }
   };
   using Sides = PairTable<Side>;  // own, other
 
   void ask(const Neurons& neurons, const PlaneRegions& regions, int inside, const Execution& execution) {
     const Grid<std::int32_t>& region = regions.region;
-    constexpr int kRows = 64;  // of one part; parts are added in order
-    std::vector<Sides> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
-    parallelRows(
-        region.rows(), execution,
-        [&](int begin, int end) {
-          Sides& sides = parts[static_cast<size_t>(begin / kRows)];
-          const int stride =
-              2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
-          for (int i = begin; i < end; i += stride)
-            for (const GridIndex step :
-                 {GridIndex{-1, 0}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{0, 1}})
-              askAlong(neurons, regions, {i, (i / stride) % 2}, {inside * step.row, inside * step.col},
-                       sides);
-        },
-        kRows);
-    Sides total;
-    for (const Sides& part : parts)
-      for (const auto& [pair, side] : part.entries()) {
-        Side& sum = total(pair.first, pair.second);
-        sum.sum += side.sum, sum.count += side.count;
-      }
+    const Sides total = sumOfPairs<Side>(region.rows(), 64, execution, [&](int begin, int end, Sides& sides) {
+      const int stride = 2 * std::max(1, inside / 7);  // a sample tells; farther inside there are more to ask
+      for (int i = begin; i < end; i += stride)
+        for (const GridIndex step : {GridIndex{-1, 0}, GridIndex{1, 0}, GridIndex{0, -1}, GridIndex{0, 1}})
+          askAlong(neurons, regions, {i, (i / stride) % 2}, {inside * step.row, inside * step.col}, sides);
+    });
     constexpr double kFewest = 3;
     for (const auto& [pair, side] : total.entries()) {
       if (pair.first > pair.second) continue;

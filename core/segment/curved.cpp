@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cnn/neighbourhood.h"
+#include "segment/plane_axes.h"
 
 namespace stratascope {
 
@@ -87,18 +88,6 @@ Verdict judge(const Quadratic& q) {
   return verdict;
 }
 
-/// Coordinates of a region's plane.
-struct Frame {
-  Eigen::Vector3d origin, u, v, normal;
-  Frame(const RangePlane& plane, const Eigen::Vector3d& near) : normal(plane.normal()) {
-    const Eigen::Vector3d helper =
-        std::abs(normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-    u = helper.cross(normal).normalized();
-    v = normal.cross(u);
-    origin = near;
-  }
-};
-
 /// Which neurons near a region were seen already: its bounding box, and a margin.
 class Visited {
 public:
@@ -137,11 +126,12 @@ bool isCurved(const Neurons& neurons, const PlaneRegions& regions, size_t l,
   constexpr int kAround = 4;              // neurons
   constexpr double kNarrowGrowth = 1.35;  // surroundings that add this much make a region narrow
   if (members.size() < 12) return false;
-  const Frame frame(regions.planes[l], neurons.q(members[members.size() / 2]));
+  const Eigen::Vector3d normal = regions.planes[l].normal(), origin = neurons.q(members[members.size() / 2]);
+  const PlaneAxes axes(normal);
   auto add = [&](Quadratic& quadratic, GridIndex at) {
-    const Eigen::Vector3d q = neurons.q(at), d = q - frame.origin;
-    const double cosine = std::max(0.1, std::abs(frame.normal.dot(q)) / neurons.points.range(at));
-    quadratic.add(frame.u.dot(d), frame.v.dot(d), frame.normal.dot(d),
+    const Eigen::Vector3d q = neurons.q(at), d = q - origin;
+    const double cosine = std::max(0.1, std::abs(normal.dot(q)) / neurons.points.range(at));
+    quadratic.add(axes.u.dot(d), axes.v.dot(d), normal.dot(d),
                   1.0 / (neurons.variance(at, cosine) * cosine * cosine));
   };
   Quadratic own;

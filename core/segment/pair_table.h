@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel_rows.h"
+
 namespace stratascope {
 
 /// Two regions.
@@ -76,5 +78,20 @@ private:
   std::vector<std::uint32_t> slots_;
   std::size_t last_ = 0;
 };
+
+/// What walk(begin, end, table) finds along some lines each, added up by += in the order of the lines: the
+/// same bits for any number of threads.
+template <class Value, class Walk>
+PairTable<Value> sumOfPairs(int lines, int linesAtOnce, const Execution& execution, const Walk& walk) {
+  std::vector<PairTable<Value>> parts(static_cast<std::size_t>((lines + linesAtOnce - 1) / linesAtOnce));
+  parallelRows(
+      lines, execution,
+      [&](int begin, int end) { walk(begin, end, parts[static_cast<std::size_t>(begin / linesAtOnce)]); },
+      linesAtOnce);
+  PairTable<Value> total;
+  for (const auto& part : parts)
+    for (const auto& [pair, value] : part.entries()) total(pair.first, pair.second) += value;
+  return total;
+}
 
 }  // namespace stratascope

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "segment/hull.h"
+#include "segment/plane_axes.h"
 #include "segment/runs.h"
 
 namespace stratascope {
@@ -46,17 +47,6 @@ struct Part {
   RawMoments raw;
   double area = 0;
   std::vector<size_t> ends;
-};
-
-// Coordinates in a plane: u × v = normal, so counter-clockwise is as the sensor sees it.
-struct PlaneAxes {
-  Eigen::Vector3d u, v;
-  explicit PlaneAxes(const Plane& plane) {
-    const Eigen::Vector3d helper =
-        std::abs(plane.normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-    u = helper.cross(plane.normal).normalized();
-    v = plane.normal.cross(u);
-  }
 };
 
 struct Outer {
@@ -129,7 +119,7 @@ std::vector<RegionOutline> outlineMembers(const PointImage& image, const PlaneRe
   std::vector<PlaneAxes> axes;
   std::vector<InnerOctagon> octagons;
   for (size_t l = 0; l < planes.size(); ++l) {
-    axes.emplace_back(planes[l]);
+    axes.emplace_back(planes[l].normal);
     std::vector<Eigen::Vector2d> ends;
     if (planes[l].points > 0)
       for (const size_t at : members[l].ends) ends.push_back(flat(at, planes[l], axes[l]));

@@ -24,36 +24,22 @@ constexpr size_t kSample = 400;         // neurons of a region to know that shar
 /// How two planes differ where their regions touch.
 struct Border {
   double n = 0, squares = 0;  // steps, metres
+  void operator+=(const Border& o) { n += o.n, squares += o.squares; }
 };
 
 using Borders = PairTable<Border>;
 
 Borders bordersOf(const Neurons& neurons, const PlaneRegions& regions, const Execution& execution) {
   const Grid<std::int32_t>& region = regions.region;
-  constexpr int kRows = 32;  // of one part; parts are added in order
-  std::vector<Borders> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
-  parallelRows(
-      region.rows(), execution,
-      [&](int begin, int end) {
-        Borders& borders = parts[static_cast<size_t>(begin / kRows)];
-        forEachContact(region, kNoRegion, begin, end, [&](GridIndex from, GridIndex to) {
-          const std::int32_t a = region(from), b = region(to);
-          const Eigen::Vector3d middle = 0.5 * (neurons.q(from) + neurons.q(to));
-          const double difference = regions.planes[static_cast<size_t>(a)].distance(middle) -
-                                    regions.planes[static_cast<size_t>(b)].distance(middle);
-          Border& border = borders(std::min(a, b), std::max(a, b));
-          border.n += 1;
-          border.squares += difference * difference;
-        });
-      },
-      kRows);
-  Borders all;
-  for (const Borders& part : parts)
-    for (const auto& [pair, border] : part.entries()) {
-      Border& sum = all(pair.first, pair.second);
-      sum.n += border.n, sum.squares += border.squares;
-    }
-  return all;
+  return sumOfPairs<Border>(region.rows(), 32, execution, [&](int begin, int end, Borders& borders) {
+    forEachContact(region, kNoRegion, begin, end, [&](GridIndex from, GridIndex to) {
+      const std::int32_t a = region(from), b = region(to);
+      const Eigen::Vector3d middle = 0.5 * (neurons.q(from) + neurons.q(to));
+      const double difference = regions.planes[static_cast<size_t>(a)].distance(middle) -
+                                regions.planes[static_cast<size_t>(b)].distance(middle);
+      borders(std::min(a, b), std::max(a, b)) += {1, difference * difference};
+    });
+  });
 }
 
 }  // namespace
