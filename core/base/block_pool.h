@@ -8,7 +8,6 @@
 #include <mutex>
 #include <new>
 #include <type_traits>
-#include <utility>
 
 namespace stratascope {
 
@@ -65,26 +64,18 @@ struct PoolAllocator {
 template <class T>
 class PooledArray {
 public:
-  PooledArray() = default;
   explicit PooledArray(std::size_t size) : size_(size), values_(PoolAllocator<T>().allocate(size)) {}
-  PooledArray(PooledArray&& o) noexcept
-      : size_(std::exchange(o.size_, 0)), values_(std::exchange(o.values_, nullptr)) {}
-  PooledArray& operator=(PooledArray&& o) noexcept {
-    std::swap(size_, o.size_), std::swap(values_, o.values_);
-    return *this;
-  }
-  ~PooledArray() {
-    if (values_) PoolAllocator<T>().deallocate(values_, size_);
-  }
+  PooledArray(const PooledArray&) = delete;
+  PooledArray& operator=(const PooledArray&) = delete;
+  ~PooledArray() { PoolAllocator<T>().deallocate(values_, size_); }
 
-  std::size_t size() const { return size_; }
   T* get() const { return values_; }
   T& operator[](std::size_t i) const { return values_[i]; }
 
 private:
   static_assert(std::is_trivially_copyable_v<T>);
-  std::size_t size_ = 0;
-  T* values_ = nullptr;
+  const std::size_t size_;
+  T* const values_;
 };
 
 }  // namespace stratascope
