@@ -10,6 +10,8 @@
 #include <QPixmap>
 #include <QTimer>
 #include <QWidget>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -41,6 +43,10 @@ struct ChartModel {
   std::vector<std::pair<double, QString>> xTicks;  ///< instead of round numbers
   QString empty;                                   ///< said where there is no item
   bool operator==(const ChartModel&) const = default;
+
+  /// Where values stand on the axes, in the axes' own scales.
+  double placeX(double x) const { return geometric ? std::log10(std::max(x, 1e-12)) : x; }
+  double placeY(double y) const { return logarithmic ? std::log10(1 + std::max(0.0, y)) : y; }
 };
 
 /// One or several charts beside each other: VTK draws what is measured, Qt the words, so that they are as the
@@ -101,7 +107,7 @@ private:
   std::vector<Panel> drawn_;
   std::pair<int, int> current_{-1, -1};
   QWidget* canvas_;
-  Overlay* overlay_;
+  QWidget* overlay_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkContextActor> actor_;
