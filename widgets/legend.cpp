@@ -41,8 +41,7 @@ void Legend::showList(const QString& title, std::vector<Entry> entries) {
   title_ = title;
   entries_ = std::move(entries);
   bar_ = false;
-  updateGeometry();
-  update();
+  change();
 }
 
 void Legend::showKey(const ColourKey& key) {
@@ -57,8 +56,7 @@ void Legend::showScale(const QString& title, const ColourScale& scale) {
   title_ = title;
   scale_ = scale;
   bar_ = true;
-  updateGeometry();
-  update();
+  change();
 }
 
 QSize Legend::sizeHint() const {
@@ -72,8 +70,32 @@ QSize Legend::sizeHint() const {
   return {width + 2 * kMargin, 2 * kMargin + line * (static_cast<int>(entries_.size()) + 1) + 2};
 }
 
+void Legend::change() {
+  picture_ = {};
+  updateGeometry();
+  update();
+}
+
+void Legend::changeEvent(QEvent* event) {
+  change();
+  QWidget::changeEvent(event);
+}
+
 void Legend::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
+  const qreal ratio = devicePixelRatioF();
+  const QSize size = this->size() * ratio;
+  if (picture_.size() != size || picture_.devicePixelRatio() != ratio) {
+    picture_ = QPixmap(size);
+    picture_.setDevicePixelRatio(ratio);
+    picture_.fill(Qt::transparent);
+    QPainter painter(&picture_);
+    painter.setFont(font());
+    paint(painter);
+  }
+  QPainter(this).drawPixmap(0, 0, picture_);
+}
+
+void Legend::paint(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   QColor card = palette().color(QPalette::Window);
   card.setAlpha(225);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPixmap>
 #include <QWidget>
 #include <vector>
 
@@ -33,12 +34,17 @@ public:
 
 protected:
   void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
 private:
+  void paint(QPainter& painter) const;
+  void change();
+
   QString title_;
   std::vector<Entry> entries_;
   ColourScale scale_;
   bool bar_ = false;
+  QPixmap picture_;  ///< for each picture behind it, the same
 };
 
 /// Round numbers between low and high, at most `most` of them.

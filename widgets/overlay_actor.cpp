@@ -30,14 +30,14 @@ OverlayActor::OverlayActor(vtkRenderer* renderer, Rgb colour) {
 }
 
 void OverlayActor::clear() {
-  points_.clear();
-  segments_.clear();
-  quads_.clear();
+  marks_.points.clear();
+  marks_.segments.clear();
+  marks_.quads.clear();
 }
 
 void OverlayActor::addSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  segments_.push_back(a.cast<float>());
-  segments_.push_back(b.cast<float>());
+  marks_.segments.push_back(a.cast<float>());
+  marks_.segments.push_back(b.cast<float>());
 }
 
 void OverlayActor::addLoop(std::span<const Eigen::Vector3d> corners) {
@@ -59,23 +59,30 @@ void OverlayActor::addCellTop(const MapFrame& frame, CellIndex cell, double z) {
   const Eigen::Vector2f p = frame.lowerCorner(cell).cast<float>(),
                         q = frame.lowerCorner({cell.k + 1, cell.l + 1}).cast<float>();
   const auto h = static_cast<float>(z);
-  quads_.insert(quads_.end(), {{p.x(), p.y(), h}, {q.x(), p.y(), h}, {q.x(), q.y(), h}, {p.x(), q.y(), h}});
+  marks_.quads.insert(marks_.quads.end(),
+                      {{p.x(), p.y(), h}, {q.x(), p.y(), h}, {q.x(), q.y(), h}, {p.x(), q.y(), h}});
 }
 
 void OverlayActor::commit(double cut, const std::optional<ClipBox>& clip) {
+  if (!inside_ || *inside_ != std::pair(cut, clip)) showInside(cut, clip);
+  inside_ = {cut, clip};
+  actor_->SetVisibility(marks_ != Marks{});
+  if (marks_ == shown_) return;
+  shown_ = marks_;
+  const auto& [dots, segments, quads] = marks_;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> verts, lines, polys;
   const auto add = [&](const Eigen::Vector3f& p) { return points->InsertNextPoint(p.x(), p.y(), p.z()); };
-  for (const auto& p : points_) {
+  for (const auto& p : dots) {
     const vtkIdType id = add(p);
     verts->InsertNextCell(1, &id);
   }
-  for (size_t i = 0; i + 1 < segments_.size(); i += 2) {
-    const vtkIdType ids[2] = {add(segments_[i]), add(segments_[i + 1])};
+  for (size_t i = 0; i + 1 < segments.size(); i += 2) {
+    const vtkIdType ids[2] = {add(segments[i]), add(segments[i + 1])};
     lines->InsertNextCell(2, ids);
   }
-  for (size_t i = 0; i + 3 < quads_.size(); i += 4) {
-    const vtkIdType ids[4] = {add(quads_[i]), add(quads_[i + 1]), add(quads_[i + 2]), add(quads_[i + 3])};
+  for (size_t i = 0; i + 3 < quads.size(); i += 4) {
+    const vtkIdType ids[4] = {add(quads[i]), add(quads[i + 1]), add(quads[i + 2]), add(quads[i + 3])};
     polys->InsertNextCell(4, ids);
   }
   data_->Initialize();
@@ -83,6 +90,9 @@ void OverlayActor::commit(double cut, const std::optional<ClipBox>& clip) {
   data_->SetVerts(verts);
   data_->SetLines(lines);
   data_->SetPolys(polys);
+}
+
+void OverlayActor::showInside(double cut, const std::optional<ClipBox>& clip) {
   constexpr double kAside = 1e-4;  // what lies on the bounds is inside
   if (clip) cut = std::min(cut, clip->high.z());
   cut_->SetOrigin(0, 0, std::min(cut + kAside, 1e9));

@@ -13,6 +13,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "map/map_frame.h"
@@ -21,14 +22,14 @@
 
 namespace stratascope {
 
-/// Marks drawn over the data in one colour: points, line segments, flat cells. Made anew at each call; keep
-/// them few.
+/// Marks drawn over the data in one colour: points, line segments, flat cells. Made anew when they change;
+/// keep them few.
 class OverlayActor {
 public:
   OverlayActor(vtkRenderer* renderer, Rgb colour);
 
   void clear();
-  void addPoint(const Eigen::Vector3f& p) { points_.push_back(p); }
+  void addPoint(const Eigen::Vector3f& p) { marks_.points.push_back(p); }
   void addSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
   void addLoop(std::span<const Eigen::Vector3d> corners);
   /// The twelve edges of the box over a cell.
@@ -42,7 +43,14 @@ public:
   void setSizes(double pointPixels, double linePixels);
 
 private:
-  std::vector<Eigen::Vector3f> points_, segments_, quads_;
+  struct Marks {
+    std::vector<Eigen::Vector3f> points, segments, quads;
+    bool operator==(const Marks&) const = default;
+  };
+  void showInside(double cut, const std::optional<ClipBox>& clip);
+
+  Marks marks_, shown_;
+  std::optional<std::pair<double, std::optional<ClipBox>>> inside_;  ///< cut and box of what is shown
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;

@@ -15,6 +15,7 @@ void TextLabels::show(const std::vector<Label>& labels, bool bold) {
   while (actors_.size() < labels.size()) {
     auto actor = vtkSmartPointer<vtkBillboardTextActor3D>::New();
     actor->PickableOff();
+    actor->UseBoundsOff();  // they lie beside what is measured anyhow, and VTK lays the text out anew to know
     // One translucent prop costs a pass of its own over the whole picture; of letters only the rim is.
     actor->ForceOpaqueOn();
     actor->GetTextProperty()->SetJustificationToCentered();

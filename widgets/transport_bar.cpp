@@ -126,7 +126,9 @@ void TransportBar::showMarks() {
       part(LineTrack::Shade::Computed, tr("%1 computed").arg(countText(static_cast<size_t>(m.computed)))) +
       sep + part(LineTrack::Shade::Final, tr("%1 final").arg(countText(static_cast<size_t>(m.final))));
   marks_->setText(text);
-  // Never narrower than it was: the track would jitter as the numbers grow.
+  // Never narrower than it was: the track would jitter as the numbers grow. Digits are of one width.
+  if (text.size() <= longest_) return;
+  longest_ = text.size();
   marks_->setMinimumWidth(std::max(marks_->minimumWidth(), marks_->sizeHint().width()));
 }
 

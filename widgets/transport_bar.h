@@ -47,6 +47,7 @@ private:
   QLabel* speedLabel_;
   LineTrack* track_;
   QLabel* marks_;
+  qsizetype longest_ = 0;  ///< of the texts marks_ had
   bool playing_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include "widgets/vtk_view.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCullerCollection.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
@@ -130,6 +131,7 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   canvas_->setObjectName("canvas");
   canvas_->setMinimumSize(120, 90);
   renderer_->SetBackground(1, 1, 1);
+  renderer_->GetCullers()->RemoveAllItems();  // few props, all in sight; asking each for its bounds costs more
   window_->AddRenderer(renderer_);
   vtkNew<UprightStyle> style;
   style->SetDefaultRenderer(renderer_);
