@@ -54,6 +54,7 @@ bool PaintedCanvas::start() {
   state->vtkglDepthFunc(GL_LEQUAL);
   adapter_ = std::make_unique<QVTKRenderWindowAdapter>(&context_, window_, this);
   adapter_->resize(width(), height());
+  window_->SetFrameBlitModeToNoBlit();  // fetchPicture() does
   observer_ = window_->AddObserver(vtkCommand::EndEvent, this, &PaintedCanvas::noteDrawn);
   return true;
 }

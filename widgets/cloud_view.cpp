@@ -42,7 +42,7 @@ CloudView::CloudView(Selection& selection, QWidget* parent)
              OverlayActor(renderer(), classColour(SurfaceClass::JumpEdge))},
       shell_{OverlayActor(renderer(), kTakenColour), OverlayActor(renderer(), kNearColour),
              OverlayActor(renderer(), kFarColour)},
-      planeNames_(renderer()),
+      planeNames_(renderer(), devicePixelRatioF(), openGlOnProcessor()),
       grid_(renderer(), devicePixelRatioF()) {
   colouring_ = new QComboBox;
   colouring_->setObjectName("colouring");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/depth_picture.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +60,32 @@ void DepthPicture::drawPoints(std::span<const Eigen::Vector3f> positions, std::s
       const size_t line = static_cast<size_t>(row) * static_cast<size_t>(width_);
       for (int column = columns.begin; column < columns.end; ++column)
         put(line + static_cast<size_t>(column), depth, pixel);
+    }
+  }
+}
+
+void DepthPicture::drawShape(const Eigen::Vector3f& position, Pixel colour,
+                             std::span<const std::uint8_t> coverage, int columns,
+                             const Eigen::Matrix4f& clip_T_map) {
+  const Eigen::Vector4f clip = clip_T_map * position.homogeneous();
+  const Eigen::Vector3f place = clip.head<3>() / clip.w();
+  if (!(clip.w() > 0 && place.cwiseAbs().maxCoeff() <= 1) || columns <= 0) return;
+  const int rows = static_cast<int>(coverage.size()) / columns;
+  const auto begin = [](float centre, int pixels, int side) {
+    return static_cast<int>(std::lrint(0.5f * (centre + 1) * static_cast<float>(pixels))) - side / 2;
+  };
+  const int left = begin(place.x(), width_, columns), bottom = begin(place.y(), height_, rows);
+  const float depth = 0.5f * (place.z() + 1);
+  const Part part{std::max(0, left), std::max(0, bottom), std::min(width_, left + columns),
+                  std::min(height_, bottom + rows)};
+  if (part.empty()) return;
+  touch(part.left, part.bottom, part.right, part.top);
+  for (int row = part.bottom; row < part.top; ++row) {
+    const std::uint8_t* from = &coverage[static_cast<size_t>((bottom + rows - 1 - row) * columns)];
+    const size_t line = static_cast<size_t>(row) * static_cast<size_t>(width_);
+    for (int column = part.left; column < part.right; ++column) {
+      colour.a = from[column - left];
+      if (colour.a) put(line + static_cast<size_t>(column), depth, colour);
     }
   }
 }

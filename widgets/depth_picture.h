@@ -35,6 +35,10 @@ public:
   /// their front; backs are not drawn. rgb has a colour a corner, of which the first counts.
   void drawFaces(std::span<const float> xyz, std::span<const std::uint8_t> rgb,
                  const Eigen::Matrix4f& clip_T_map);
+  /// Puts a flat shape, such as a word, upright with its middle at a position. coverage: row by row from
+  /// above, how much of each pixel it covers, 0 to 255, in rows of `columns`; this becomes the pixel's alpha.
+  void drawShape(const Eigen::Vector3f& position, Pixel colour, std::span<const std::uint8_t> coverage,
+                 int columns, const Eigen::Matrix4f& clip_T_map);
 
   int width() const { return width_; }
   int height() const { return height_; }

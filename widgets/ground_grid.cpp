@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/opengl.h"
 #include "widgets/theme.h"
 
 namespace stratascope {
@@ -31,7 +32,7 @@ GroundGrid::GroundGrid(vtkRenderer* renderer, double pixelRatio)
     : lines_(renderer, {}),
       xAxis_(renderer, {200, 80, 80}),
       yAxis_(renderer, {70, 150, 80}),
-      labels_(renderer) {
+      labels_(renderer, pixelRatio, openGlOnProcessor()) {
   lines_.setSizes(1, pixelRatio);
   for (OverlayActor* axis : {&xAxis_, &yAxis_}) axis->setSizes(1, 2 * pixelRatio);
 }

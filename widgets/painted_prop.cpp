@@ -29,13 +29,13 @@ void main() {
   float depth = texture2D(depths, texCoord).r;
   if (depth >= 1.0) discard;
   gl_FragDepth = depth;
-  gl_FragData[0] = vec4(texture2D(colours, texCoord).rgb, 1.0);
+  gl_FragData[0] = texture2D(colours, texCoord);
 }
 )";
 
 }  // namespace
 
-vtkStandardNewMacro(PaintedPoints) vtkStandardNewMacro(PaintedMesh)
+vtkStandardNewMacro(PaintedPoints) vtkStandardNewMacro(PaintedMesh) vtkStandardNewMacro(PaintedLabels)
 
     PaintedProp::PaintedProp() {
   vtkMath::UninitializeBounds(bounds_);
@@ -162,6 +162,16 @@ void PaintedMesh::setMesh(std::shared_ptr<const MapMesh> mesh) {
       box.extend(Eigen::Vector3f(mesh_->xyz[i], mesh_->xyz[i + 1], mesh_->xyz[i + 2]));
   setBounds(box);
   Modified();
+}
+
+void PaintedLabels::setLabels(std::vector<PaintedLabel> labels) {
+  labels_ = std::move(labels);
+  Modified();
+}
+
+void PaintedLabels::paint(DepthPicture& picture, const Eigen::Matrix4f& clip_T_map) const {
+  for (const PaintedLabel& label : labels_)
+    picture.drawShape(label.at, label.colour, label.word->coverage, label.word->columns, clip_T_map);
 }
 
 void PaintedMesh::paint(DepthPicture& picture, const Eigen::Matrix4f& clip_T_map) const {

@@ -82,4 +82,32 @@ private:
   std::shared_ptr<const MapMesh> mesh_;
 };
 
+/// A word as it is drawn: see DepthPicture::drawShape().
+struct PaintedWord {
+  std::vector<std::uint8_t> coverage;
+  int columns = 0;
+};
+
+struct PaintedLabel {
+  Eigen::Vector3f at;
+  DepthPicture::Pixel colour;
+  std::shared_ptr<const PaintedWord> word;
+};
+
+/// Words that face the viewer. Without bounds: they stand beside what is drawn.
+class PaintedLabels : public PaintedProp {
+public:
+  static PaintedLabels* New();
+  vtkTypeMacro(PaintedLabels, PaintedProp)
+
+      void setLabels(std::vector<PaintedLabel> labels);
+
+protected:
+  bool nothingToPaint() const override { return labels_.empty(); }
+  void paint(DepthPicture& picture, const Eigen::Matrix4f& clip_T_map) const override;
+
+private:
+  std::vector<PaintedLabel> labels_;
+};
+
 }  // namespace stratascope
