@@ -85,6 +85,7 @@ LiveControl::LiveControl(MainWindow& window) : QObject(&window), window_(window)
     if (!refresh_.isActive()) refresh_.start();
   });
   ViewArea& views = window_.views();
+  connect(&window_.bridge(), &PipelineBridge::completePictureComes, &views, &ViewArea::hold);
   for (VtkView* view : {static_cast<VtkView*>(views.cloud()), static_cast<VtkView*>(views.columns()),
                         static_cast<VtkView*>(views.boxes())})
     connect(view, &VtkView::cameraMoved, this, [this] { cameraMoved_ = true; });

@@ -56,37 +56,48 @@ void PaintedProp::setBounds(const Eigen::AlignedBox3f& box) {
   }
 }
 
-int PaintedProp::RenderOpaqueGeometry(vtkViewport* viewport) {
-  auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
-  QOpenGLContext* context = QOpenGLContext::currentContext();
-  if (!window || !context || nothingToPaint()) return 0;
+bool PaintedProp::prepare(vtkRenderer& renderer) {
+  scene_.reset();
   int width = 0, height = 0, left = 0, bottom = 0;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  if (width <= 0 || height <= 0) return 0;
-
-  Eigen::Matrix4f clip_T_map;
-  const vtkMatrix4x4* m = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      renderer->GetTiledAspectRatio(), -1, 1);
+  renderer.GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  if (width <= 0 || height <= 0 || nothingToPaint()) return false;
+  Scene scene{{}, width, height, GetMTime()};
+  const vtkMatrix4x4* m = renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      renderer.GetTiledAspectRatio(), -1, 1);
   for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) clip_T_map(r, c) = static_cast<float>(m->GetElement(r, c));
-  picture_.begin(width, height);
-  paint(picture_, clip_T_map);
+    for (int c = 0; c < 4; ++c) scene.clip_T_map(r, c) = static_cast<float>(m->GetElement(r, c));
+  scene_ = scene;
+  return scene_ != painted_;
+}
 
+void PaintedProp::paintAhead() {
+  if (!scene_ || scene_ == painted_) return;
+  picture_.begin(scene_->width, scene_->height);
+  paint(picture_, scene_->clip_T_map);
+  painted_ = scene_;
+}
+
+void PaintedProp::upload(vtkOpenGLRenderWindow& window, QOpenGLContext& context) {
+  colours_->SetContext(&window);
+  depths_->SetContext(&window);
+  if (uploaded_ == painted_) {
+    colours_->Activate();
+    depths_->Activate();
+    return;
+  }
+  const int width = picture_.width(), height = picture_.height();
   const DepthPicture::Part& part = picture_.part();
-  if (part.empty()) return 0;
-  vtkOpenGLState* state = window->GetState();
-  const bool sameSize = width == width_ && height == height_;
-  const auto upload = [&](vtkTextureObject* texture, int components, int type, unsigned format,
-                          unsigned glType, const auto* values) {
-    texture->SetContext(window);
+  const bool sameSize = uploaded_ && uploaded_->width == width && uploaded_->height == height;
+  const auto send = [&](vtkTextureObject* texture, int components, int type, unsigned format, unsigned glType,
+                        const auto* values) {
     if (sameSize) {
       // The part where something is; what is left over elsewhere is not drawn.
       texture->Activate();
+      vtkOpenGLState* state = window.GetState();
       state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, width);
-      context->functions()->glTexSubImage2D(GL_TEXTURE_2D, 0, part.left, part.bottom, part.right - part.left,
-                                            part.top - part.bottom, format, glType,
-                                            values + part.bottom * width + part.left);
+      context.functions()->glTexSubImage2D(GL_TEXTURE_2D, 0, part.left, part.bottom, part.right - part.left,
+                                           part.top - part.bottom, format, glType,
+                                           values + part.bottom * width + part.left);
       state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
       return;
     }
@@ -96,11 +107,26 @@ int PaintedProp::RenderOpaqueGeometry(vtkViewport* viewport) {
                              const_cast<void*>(static_cast<const void*>(values)));
     texture->Activate();
   };
-  upload(colours_, 4, VTK_UNSIGNED_CHAR, GL_RGBA, GL_UNSIGNED_BYTE, picture_.pixels().data());
-  upload(depths_, 1, VTK_FLOAT, GL_RED, GL_FLOAT, picture_.depths().data());
-  width_ = width;
-  height_ = height;
+  send(colours_, 4, VTK_UNSIGNED_CHAR, GL_RGBA, GL_UNSIGNED_BYTE, picture_.pixels().data());
+  send(depths_, 1, VTK_FLOAT, GL_RED, GL_FLOAT, picture_.depths().data());
+  uploaded_ = painted_;
+}
 
+int PaintedProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  QOpenGLContext* context = QOpenGLContext::currentContext();
+  if (!window || !context) return 0;
+  prepare(*renderer);
+  if (!scene_) return 0;
+  paintAhead();
+
+  int width = 0, height = 0, left = 0, bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  const DepthPicture::Part& part = picture_.part();
+  if (part.empty()) return 0;
+  vtkOpenGLState* state = window->GetState();
+  upload(*window, *context);
   if (!quad_)
     quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kFragmentShader, nullptr);
   else
@@ -124,7 +150,7 @@ void PaintedProp::ReleaseGraphicsResources(vtkWindow* window) {
   quad_.reset();
   colours_->ReleaseGraphicsResources(window);
   depths_->ReleaseGraphicsResources(window);
-  width_ = height_ = 0;
+  uploaded_.reset();
   vtkProp::ReleaseGraphicsResources(window);
 }
 

@@ -7,12 +7,17 @@
 #include <vtkTextureObject.h>
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "widgets/depth_picture.h"
 #include "widgets/map_mesh.h"
 #include "widgets/view_geometry.h"
 
+class QOpenGLContext;
 class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
 
 namespace stratascope {
 
@@ -23,6 +28,12 @@ public:
   vtkTypeMacro(PaintedProp, vtkProp)
 
       double* GetBounds() override;
+  /// Takes over how the renderer sees the scene; false if it is painted like that already, or there is
+  /// nothing to paint.
+  bool prepare(vtkRenderer& renderer);
+  /// Paints what prepare() said has to be. The only one that may be called on another thread, each prop's on
+  /// one.
+  void paintAhead();
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -35,9 +46,19 @@ protected:
   virtual void paint(DepthPicture& picture, const Eigen::Matrix4f& clip_T_map) const = 0;
 
 private:
+  /// What a picture depends on.
+  struct Scene {
+    Eigen::Matrix4f clip_T_map;
+    int width = 0, height = 0;
+    vtkMTimeType data = 0;
+    bool operator==(const Scene&) const = default;
+  };
+
+  void upload(vtkOpenGLRenderWindow& window, QOpenGLContext& context);
+
   double bounds_[6];
   DepthPicture picture_;
-  int width_ = 0, height_ = 0;  ///< of the textures
+  std::optional<Scene> scene_, painted_, uploaded_;
   vtkNew<vtkTextureObject> colours_, depths_;
   std::unique_ptr<vtkOpenGLQuadHelper> quad_;
 };

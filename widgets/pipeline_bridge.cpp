@@ -4,6 +4,7 @@
 
 #include <QMetaObject>
 #include <exception>
+#include <utility>
 
 namespace stratascope {
 
@@ -137,6 +138,8 @@ void PipelineBridge::collectStream() {
   if (isNew) {
     snapshot_ = std::move(update.snapshot);
     computed_ = GeometryTimes::Clock::now();
+    // Nor may one that was held back until now: drawing it would hold up the one that follows.
+    if (newestProgress_.scanEnded && newestProgress_.computed == newestProgress_.arrived) built_ = nullptr;
   }
   waitsForBuild_ = waitsForBuild_ || isNew || steadier;
   if (!waitsForBuild_ || completeScanComes()) return;
@@ -213,6 +216,15 @@ void PipelineBridge::builderLoop(std::stop_token stop) {
   }
 }
 
+void PipelineBridge::tellWhetherPictureComes() {
+  bool comes = false;
+  {
+    const std::lock_guard lock(mutex_);
+    comes = completeScanComes() || (pictureComes_ && (request_ || builderActive_ || built_));
+  }
+  if (std::exchange(pictureComes_, comes) != comes) emit completePictureComes(comes);
+}
+
 void PipelineBridge::takeGeometry() {
   ViewGeometryPtr built;
   std::optional<QString> error;
@@ -232,6 +244,7 @@ void PipelineBridge::takeGeometry() {
     geometry_ = std::move(built);
     emit geometryChanged();
   }
+  tellWhetherPictureComes();
   emit progressChanged(busy(), stage_);
 }
 

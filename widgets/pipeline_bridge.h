@@ -70,6 +70,9 @@ signals:
   void failed(const QString& message);
   /// A stream began, went on, or made way for files; many times a second.
   void streamChanged();
+  /// Between a scan's last line and its picture, what is not drawn yet need not be: it only takes the
+  /// processors from the one that counts.
+  void completePictureComes(bool comes);
 
 private:
   /// Takes what the worker has; called on both threads.
@@ -82,6 +85,7 @@ private:
   void build();
   /// Whether a complete scan is being computed: pictures of what came before would only hold it up.
   bool completeScanComes() const;
+  void tellWhetherPictureComes();
   void takeGeometry();
   void builderLoop(std::stop_token stop);
 
@@ -95,6 +99,7 @@ private:
   std::atomic<bool> pollPosted_ = false, streamPollPosted_ = false;
   int streamNumber_ = 0, streams_ = 0;
   LiveProgress progress_;
+  bool pictureComes_ = false;  ///< as told last
   std::unique_ptr<LiveSession> live_;
   std::jthread closing_;  ///< ends the stream before, which may take a moment
 

@@ -5,6 +5,11 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "base/parallel_rows.h"
+#include "widgets/painted_prop.h"
 
 namespace stratascope {
 
@@ -32,7 +37,11 @@ ViewArea::ViewArea(Selection& selection, QWidget* parent) : QWidget(parent), sel
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(rows_);
 
+  holdEnds_.setSingleShot(true);
+  holdEnds_.setInterval(100);
+  connect(&holdEnds_, &QTimer::timeout, this, [this] { hold(false); });
   for (VtkView* view : views_) {
+    connect(view, &VtkView::aboutToDraw, this, &ViewArea::paintAhead);
     connect(view, &VtkView::maximiseToggled, this, [this, view] { toggleMaximised(view); });
     connect(view, &VtkView::hoverText, this, &ViewArea::hoverText);
     connect(view, &VtkView::cameraMoved, this, [this, view] { follow(view); });
@@ -117,6 +126,27 @@ void ViewArea::orbitSelection() {
 void ViewArea::renderNow() {
   for (VtkView* view : views_) view->renderNow();
   pair_->renderNow();
+}
+
+void ViewArea::hold(bool held) {
+  if (held)
+    holdEnds_.start();
+  else
+    holdEnds_.stop();
+  for (VtkView* view : views_) view->hold(held);
+}
+
+void ViewArea::paintAhead() {
+  std::vector<PaintedProp*> props;
+  for (VtkView* view : views_)
+    if (view->renderPending()) std::ranges::copy(view->propsToPaint(), std::back_inserter(props));
+  if (props.size() < 2) return;
+  parallelRows(
+      static_cast<int>(props.size()), {},
+      [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) props[static_cast<size_t>(i)]->paintAhead();
+      },
+      1);
 }
 
 void ViewArea::follow(VtkView* leader) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <array>
 
@@ -35,6 +36,8 @@ public:
   bool linked() const { return linked_; }
   /// Draws now, without waiting for the event loop.
   void renderNow();
+  /// While held, and for a moment at most, what is to be drawn waits.
+  void hold(bool held);
 
   CloudView* cloud() const { return cloud_; }
   /// The cloud and, beside it, that of a kept result.
@@ -50,6 +53,7 @@ signals:
 
 private:
   void follow(VtkView* leader);
+  void paintAhead();
   Eigen::AlignedBox3d shownBounds() const;
 
   CloudView* cloud_;
@@ -64,6 +68,7 @@ private:
   VtkView* maximised_ = nullptr;
   bool linked_ = true;
   ViewDirection direction_ = ViewDirection::Iso;
+  QTimer holdEnds_;
 };
 
 }  // namespace stratascope

@@ -24,6 +24,7 @@
 
 #include "base/units.h"
 #include "widgets/canvas.h"
+#include "widgets/painted_prop.h"
 #include "widgets/theme.h"
 
 namespace stratascope {
@@ -131,7 +132,8 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   canvas_->setObjectName("canvas");
   canvas_->setMinimumSize(120, 90);
   renderer_->SetBackground(1, 1, 1);
-  renderer_->GetCullers()->RemoveAllItems();  // few props, all in sight; asking each for its bounds costs more
+  renderer_->GetCullers()
+      ->RemoveAllItems();  // few props, all in sight; asking each for its bounds costs more
   window_->AddRenderer(renderer_);
   vtkNew<UprightStyle> style;
   style->SetDefaultRenderer(renderer_);
@@ -300,11 +302,39 @@ void VtkView::fit(const Eigen::AlignedBox3d& box) {
 }
 
 void VtkView::scheduleRender() {
-  if (!render_.isActive()) render_.start();
+  if (held_)
+    waits_ = true;
+  else if (!render_.isActive())
+    render_.start();
+}
+
+void VtkView::hold(bool held) {
+  const bool scheduled = renderPending();
+  held_ = held;
+  waits_ = false;
+  render_.stop();
+  if (scheduled) scheduleRender();
+}
+
+std::vector<PaintedProp*> VtkView::propsToPaint() {
+  std::vector<PaintedProp*> out;
+  if (!canvas_->isVisible()) return out;
+  applyPart();
+  renderer_->ResetCameraClippingRange();
+  vtkPropCollection* props = renderer_->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
+    if (auto* painted = PaintedProp::SafeDownCast(prop);
+        painted && prop->GetVisibility() && painted->prepare(*renderer_))
+      out.push_back(painted);
+  return out;
 }
 
 void VtkView::renderNow() {
+  if (renderPending()) emit aboutToDraw();
   render_.stop();
+  waits_ = false;
   if (!canvas_->isVisible()) return;
   QElapsedTimer timer;
   timer.start();

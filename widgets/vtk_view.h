@@ -9,6 +9,7 @@
 #include <QFrame>
 #include <QPoint>
 #include <QTimer>
+#include <vector>
 
 #include "widgets/camera.h"
 #include "widgets/picking.h"
@@ -20,6 +21,7 @@ class vtkRenderWindowInteractor;
 
 namespace stratascope {
 
+class PaintedProp;
 class PartsLabel;
 
 /// One 3D view: a header with title and maximise button over a VTK picture; camera, pick ray, coarse drawing
@@ -56,7 +58,9 @@ public:
 
   /// Draws at the next chance; many calls make one picture.
   void scheduleRender();
-  bool renderPending() const { return render_.isActive(); }
+  bool renderPending() const { return waits_ || render_.isActive(); }
+  /// While held, what is scheduled waits.
+  void hold(bool held);
   void renderNow();
   /// The data is changing from picture to picture: coarse drawing until it has been still for a moment.
   void noteChange();
@@ -70,7 +74,12 @@ public:
   /// Where a point of the map is on the canvas.
   QPointF canvasPosition(const Eigen::Vector3d& point) const;
 
+  /// Those of the props in sight that are painted and were not yet as they have to be now.
+  std::vector<PaintedProp*> propsToPaint();
+
 signals:
+  /// With renderPending() still true.
+  void aboutToDraw();
   void clicked(QPoint widgetPosition);
   /// The pointer rests or moves here with no button pressed; not at every pixel. Outside: (−1, −1).
   void hovered(QPoint widgetPosition);
@@ -111,6 +120,7 @@ private:
   QPoint pressed_;
   int partLeft_ = 0, wholeWidth_ = 0;
   bool pressedLeft_ = false;
+  bool held_ = false, waits_ = false;
   bool moving_ = false;        ///< drawn coarse
   bool cameraMoving_ = false;  ///< because the camera moves: linked views follow
 };
