@@ -143,9 +143,7 @@ void DragBench::geometryArrived() {
   if (at == events_.end()) return;
   // What came before it was overtaken, and is never shown.
   const GeometryTimes& times = window_.bridge().times();
-  double compute = 0;
-  for (const StageReport& stage : geometry->snapshot->stages)
-    if (!stage.reused) compute += 1000 * stage.seconds;
+  const double compute = 1000 * geometry->snapshot->seconds;
   Sample s{};
   s.compute = compute;
   s.waiting = std::max(0.0, milliseconds(times.computed - at->at) - compute);

@@ -81,8 +81,7 @@ void LiveBench::pictureComplete() {
   const auto lastLine = window_.bridge().stream()->progress().lastLine;
   const GeometryTimes& times = window_.bridge().times();
   Sample s{};
-  for (const StageReport& report : window_.snapshot()->stages)
-    if (!report.reused) s.compute += 1000 * report.seconds;
+  s.compute = 1000 * window_.snapshot()->seconds;
   s.whole = milliseconds(now - lastLine);
   s.waiting = milliseconds(times.computed - lastLine) - s.compute;
   s.building = milliseconds(times.built - times.buildBegan);

@@ -11,6 +11,8 @@ namespace stratascope {
 struct Execution {
   int threads = 0;         ///< 0 = all processors
   std::stop_token stop{};  ///< asked between row chunks
+  /// What needs nothing of each other runs side by side, unless it is to be timed alone.
+  bool oneStageAtATime = false;
 };
 
 /// Thrown out of a stage when its stop token was triggered; caught by pipeline and worker, never an error.

@@ -43,11 +43,11 @@ public:
   OwnRuns(const TrueScan& scan, const BenchOptions& options) : scan_(scan), options_(options) {}
 
   /// Everything anew in a pipeline of its own.
-  Expected<SnapshotPtr> fresh(int threads, std::vector<double>& seconds) {
+  Expected<SnapshotPtr> fresh(const Execution& execution, std::vector<double>& seconds) {
     const Stopwatch watch;
     Pipeline pipeline;
     pipeline.setScans({scan_.scan});
-    auto result = pipeline.run(options_.params, {threads});
+    auto result = pipeline.run(options_.params, execution);
     seconds.push_back(watch.seconds());
     return result;
   }
@@ -199,18 +199,19 @@ Expected<BenchResult> runBench(const TrueScan& scan, const BenchOptions& options
   std::vector<double> unused, pipeline, again, one, busy;
   std::array<std::vector<double>, kStageCount> stages;
   say("warming up");
-  auto snapshot = own.fresh(result.threads, unused);
+  auto snapshot = own.fresh({result.threads}, unused);
   if (!snapshot) return snapshot.error();
-  const auto single = own.fresh(1, unused);
+  const auto single = own.fresh({1}, unused);
   if (!single) return single.error();
   result.sameBits = sameProducts(**snapshot, **single);
   (void)own.again(result.threads, unused);
   for (int run = 0; run < options.runs; ++run) {  // in turns, so that what else the machine does meets all
     say("whole pipeline");
-    snapshot = own.fresh(result.threads, pipeline);
-    for (size_t s = 0; s < stages.size(); ++s) stages[s].push_back((*snapshot)->stages[s].seconds);
+    snapshot = own.fresh({result.threads}, pipeline);
+    const auto apart = own.fresh({.threads = result.threads, .oneStageAtATime = true}, unused);
+    for (size_t s = 0; s < stages.size(); ++s) stages[s].push_back((*apart)->stages[s].seconds);
     (void)own.again(result.threads, again);
-    (void)own.fresh(1, one);
+    (void)own.fresh({1}, one);
     if (result.threads > 1) busy.push_back(busyThreadGain(result.threads));
   }
   for (size_t s = 0; s < stages.size(); ++s) result.stages[s] = medianOf(stages[s]);

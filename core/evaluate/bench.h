@@ -50,7 +50,7 @@ struct BenchChange {
 struct BenchResult {
   int threads = 1, runs = 0;
   std::size_t neurons = 0, points = 0;
-  std::array<double, kStageCount> stages{};  ///< with `threads`
+  std::array<double, kStageCount> stages{};  ///< with `threads`, one stage at a time
   double pipeline = 0;                       ///< a pipeline of its own every run
   double again = 0;      ///< one pipeline given the same scan again: what does not change is not computed
   double oneThread = 0;  ///< as `pipeline`, with one thread

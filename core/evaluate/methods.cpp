@@ -20,7 +20,9 @@ Expected<MethodResult> runStratascope(const ScanPtr& scan, const PipelineParams&
                                       const Execution& execution) {
   Pipeline pipeline;
   pipeline.setScans({scan});
-  const auto snapshot = pipeline.run(params, execution);
+  Execution apart = execution;
+  apart.oneStageAtATime = true;
+  const auto snapshot = pipeline.run(params, apart);
   if (!snapshot) return snapshot.error();
   const ScanProducts& products = (*snapshot)->scans.front();
   MethodResult result;

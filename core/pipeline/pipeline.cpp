@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/pipeline.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <unordered_map>
 
 #include "base/block_pool.h"
+#include "base/stopwatch.h"
 #include "base/units.h"
 #include "layers/normals.h"
 #include "layers/point_layer.h"
@@ -37,8 +39,10 @@ struct ScanCache {
   std::optional<RangeParams> range;
   std::optional<NormalParams> normals;
   std::optional<ClassParams> classes;
-  std::optional<std::pair<PlaneParams, double>> planes;
-  std::optional<double> edges;
+  std::optional<PlaneParams> planes;
+  std::optional<PlaneImage> unnamed;  ///< planes that have no names yet
+  std::optional<double> names;        ///< the tolerance of classes
+  std::optional<double> edges;        ///< the tolerance of angles
 
   std::optional<Earlier> asEarlier() const {
     if (!normals) return earlier;
@@ -59,14 +63,15 @@ struct ScanCache {
 };
 
 // The plane of a point of an unordered cloud: that of the neuron that stands for it, if the point lies in it.
-std::vector<PlaneLabel> labelsOfCloud(const ScanProducts& scan, double planeDistance) {
+std::vector<PlaneLabel> labelsOfCloud(const ScanProducts& scan, const PlaneImage& image,
+                                      double planeDistance) {
   std::unordered_map<PlaneLabel, const Plane*> planes;
-  for (const Plane& plane : scan.planes->planes) planes[plane.label] = &plane;
+  for (const Plane& plane : image.planes) planes[plane.label] = &plane;
   std::vector<PlaneLabel> labels(scan.cloud->size(), kNoPlane);
   for (size_t i = 0; i < labels.size(); ++i) {
     const std::int32_t neuron = scan.scan->neuronOfPoint[i];
     if (neuron < 0) continue;
-    const PlaneLabel label = scan.planes->labels[static_cast<size_t>(neuron)];
+    const PlaneLabel label = image.labels[static_cast<size_t>(neuron)];
     const auto plane = planes.find(label);
     if (plane == planes.end()) continue;
     const Eigen::Vector3f& p = (*scan.cloud)[i];
@@ -98,6 +103,7 @@ struct Pipeline::State {
   std::shared_ptr<const HeightMap> heightMap;
   std::shared_ptr<const IntervalMap> intervalMap;
   std::shared_ptr<const ObjectMap> objectMap;
+  std::shared_ptr<const IntervalMap> objectsOf;  ///< what objectMap was made from
   std::optional<GridParams> grid;
   std::optional<IntervalParams> intervals;
   std::array<StageReport, kStageCount> reports{};
@@ -107,13 +113,21 @@ struct Pipeline::State {
   std::vector<MapInput> mapInputs() const {
     std::vector<MapInput> inputs;
     for (const ScanCache& c : scans) {
-      const ScanProducts& p = c.products;
-      if (p.cloud)
-        inputs.push_back({*p.cloud, p.cloudLabels ? std::span<const PlaneLabel>(*p.cloudLabels)
-                                                  : std::span<const PlaneLabel>{}});
+      if (c.products.cloud)
+        inputs.push_back({*c.products.cloud, {}});
       else
-        inputs.push_back({p.points->points.values(),
-                          p.planes ? p.planes->labels.values() : std::span<const PlaneLabel>{}});
+        inputs.push_back({c.products.points->points.values(), {}});
+    }
+    return inputs;
+  }
+  std::vector<MapInput> labelledInputs() const {
+    std::vector<MapInput> inputs = mapInputs();
+    for (size_t i = 0; i < inputs.size(); ++i) {
+      const ScanProducts& p = scans[i].products;
+      if (p.cloud)
+        inputs[i].labels = *p.cloudLabels;
+      else
+        inputs[i].labels = p.planes->labels.values();
     }
     return inputs;
   }
@@ -149,6 +163,225 @@ const std::array<int, kStageCount>& Pipeline::executions() const {
   return state_->executions;
 }
 
+/// One run over all stages, with what is kept from the runs before.
+class Pipeline::Run {
+public:
+  Run(State& state, const PipelineParams& params, const Execution& execution, const Progress& progress)
+      : s_(state), params_(params), execution_(execution), progress_(progress) {}
+
+  /// An error if the map cannot be made.
+  std::optional<Error> all() {
+    stage(Stage::Points, [this] { return points(); });
+    stage(Stage::Normals, [this] { return normals(); });
+    if (execution_.oneStageAtATime) {
+      stage(Stage::Classes, [this] { return classes(); });
+      announce(Stage::Planes);
+      segment();
+      timed(
+          Stage::Planes, [this] { return name(); }, segmentSeconds_);
+      stage(Stage::Edges, [this] { return edges(); });
+      stage(Stage::Cells, [this] { return cells(); });
+      stage(Stage::HeightMap, [this] { return heightMap(); });
+      stage(Stage::Intervals, [this] { return intervals(); });
+    } else {
+      announce(Stage::Classes);
+      announce(Stage::Planes);
+      sideBySide();
+      timed(
+          Stage::Planes, [this] { return name(); }, segmentSeconds_);
+      stage(Stage::Edges, [this] { return edges(); });
+      for (const Stage which : {Stage::Cells, Stage::HeightMap, Stage::Intervals}) announce(which);
+    }
+    if (!failure_) stage(Stage::Objects, [this] { return objects(); });
+    return failure_;
+  }
+
+private:
+  void announce(Stage which) const {
+    throwIfStopped(execution_);
+    if (progress_) progress_(which);
+  }
+  /// `work` does what a stage needs for everything and says whether anything had to be computed.
+  template <class Work>
+  void timed(Stage which, const Work& work, double secondsBefore = 0) {
+    StageReport& report = s_.reports[static_cast<size_t>(which)];
+    const Stopwatch watch;
+    const bool ran = work();
+    if (ran) {
+      report.seconds = secondsBefore + watch.seconds();
+      ++s_.executions[static_cast<size_t>(which)];
+    }
+    report.reused = !ran;
+  }
+  template <class Work>
+  void stage(Stage which, const Work& work) {
+    announce(which);
+    timed(which, work);
+  }
+
+  // Classes, regions of planes and maps need nothing of each other: where one goes on step by step on a
+  // single thread, another has the rest. The longest comes first.
+  void sideBySide() {
+    const auto anyScan = [this](const auto& needs) { return std::ranges::any_of(s_.scans, needs); };
+    std::vector<std::function<void()>> needed;
+    const auto add = [&](bool isNeeded, std::function<void()> work) {
+      if (isNeeded)
+        needed.push_back(std::move(work));
+      else
+        work();  // says that nothing has to be done
+    };
+    add(anyScan([this](const ScanCache& c) { return c.planes != params_.planes; }), [this] { segment(); });
+    add(anyScan([this](const ScanCache& c) { return c.classes != params_.classes; }),
+        [this] { timed(Stage::Classes, [this] { return classes(); }); });
+    add(s_.grid != params_.grid || !s_.heightMap || s_.intervals != params_.intervals, [this] {
+      timed(Stage::Cells, [this] { return cells(); });
+      timed(Stage::HeightMap, [this] { return heightMap(); });
+      timed(Stage::Intervals, [this] { return intervals(); });
+    });
+    if (needed.size() == 1) return needed.front()();
+    parallelRows(
+        static_cast<int>(needed.size()), execution_,
+        [&](int begin, int end) {
+          for (int i = begin; i < end; ++i) needed[static_cast<size_t>(i)]();
+        },
+        1);
+  }
+
+  bool points() {
+    bool ran = false;
+    for (ScanCache& c : s_.scans) {
+      if (c.range == params_.range) continue;
+      auto image =
+          std::make_shared<const PointImage>(computePoints(*c.products.scan, params_.range, execution_));
+      if (c.products.scan->unordered())
+        c.products.cloud =
+            std::make_shared<const std::vector<Eigen::Vector3f>>(cloudInMap(*c.products.scan, params_.range));
+      c.products.points = std::move(image);
+      c.range = params_.range;
+      c.normals.reset();
+      ran = true;
+    }
+    if (ran) s_.grid.reset();
+    return ran;
+  }
+
+  bool normals() {
+    bool ran = false;
+    for (ScanCache& c : s_.scans) {
+      if (c.normals == params_.normals) continue;
+      c.products.normals = std::make_shared<const NormalImage>(computeNormals(
+          *c.products.points, params_.normals, execution_, c.historyOfNormals(params_.normals)));
+      c.normals = params_.normals;
+      c.classes.reset();
+      c.planes.reset();
+      ran = true;
+    }
+    return ran;
+  }
+
+  bool classes() {
+    bool ran = false;
+    for (ScanCache& c : s_.scans) {
+      if (c.classes == params_.classes) continue;
+      c.products.classes = std::make_shared<const ClassImage>(
+          computeClasses(*c.products.points, *c.products.normals, params_.classes, execution_,
+                         c.historyOfClasses(params_.classes)));
+      c.classes = params_.classes;
+      c.earlier.reset();
+      c.names.reset();
+      c.edges.reset();
+      ran = true;
+    }
+    return ran;
+  }
+
+  void segment() {
+    const Stopwatch watch;
+    for (ScanCache& c : s_.scans) {
+      if (c.planes == params_.planes) continue;
+      c.unnamed = computePlanes(*c.products.points, *c.products.normals, params_.planes, c.products.labelBase,
+                                execution_);
+      if (c.products.cloud)
+        c.products.cloudLabels = std::make_shared<const std::vector<PlaneLabel>>(
+            labelsOfCloud(c.products, *c.unnamed, params_.planes.planeDistance));
+      c.planes = params_.planes;
+    }
+    segmentSeconds_ = watch.seconds();
+  }
+
+  bool name() {
+    const double tolerance = params_.classes.classToleranceDeg;
+    bool ran = false;
+    for (ScanCache& c : s_.scans) {
+      if (!c.unnamed && c.names == tolerance) continue;
+      if (c.unnamed) c.edges.reset(), s_.objectMap.reset();
+      PlaneImage image = c.unnamed ? std::move(*c.unnamed) : *c.products.planes;
+      c.unnamed.reset();
+      namePlanes(image, *c.products.classes, tolerance, c.products.points->sensor.z());
+      c.products.planes = std::make_shared<const PlaneImage>(std::move(image));
+      c.names = tolerance;
+      ran = true;
+    }
+    return ran;
+  }
+
+  bool edges() {
+    bool ran = false;
+    for (ScanCache& c : s_.scans) {
+      if (c.edges == params_.classes.angleToleranceDeg) continue;
+      c.products.edges = std::make_shared<const EdgeSet>(
+          computeEdges(*c.products.points, *c.products.classes, *c.products.planes,
+                       params_.classes.angleToleranceDeg, execution_));
+      c.edges = params_.classes.angleToleranceDeg;
+      ran = true;
+    }
+    return ran;
+  }
+
+  bool cells() {
+    if (s_.grid == params_.grid) return false;
+    Expected<CellAssignment> cells = assignCells(s_.mapInputs(), params_.grid, execution_);
+    if (!cells) {
+      failure_ = cells.error();
+      return true;
+    }
+    s_.cells = std::make_shared<const CellAssignment>(std::move(*cells));
+    s_.grid = params_.grid;
+    s_.heightMap.reset();
+    s_.intervals.reset();
+    return true;
+  }
+
+  bool heightMap() {
+    if (failure_ || s_.heightMap) return false;
+    s_.heightMap = std::make_shared<const HeightMap>(buildHeightMap(*s_.cells));
+    return true;
+  }
+
+  bool intervals() {
+    if (failure_ || s_.intervals == params_.intervals) return false;
+    s_.intervalMap =
+        std::make_shared<const IntervalMap>(buildIntervalMap(*s_.cells, params_.intervals, execution_));
+    s_.intervals = params_.intervals;
+    return true;
+  }
+
+  bool objects() {
+    if (s_.objectMap && s_.objectsOf == s_.intervalMap) return false;
+    s_.objectMap =
+        std::make_shared<const ObjectMap>(buildObjectMap(*s_.cells, *s_.intervalMap, s_.labelledInputs()));
+    s_.objectsOf = s_.intervalMap;
+    return true;
+  }
+
+  State& s_;
+  const PipelineParams& params_;
+  const Execution& execution_;
+  const Progress& progress_;
+  std::optional<Error> failure_;
+  double segmentSeconds_ = 0;
+};
+
 Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Execution& execution,
                                     const Progress& progress) {
   State& s = *state_;
@@ -159,129 +392,8 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
     for (const std::string& p : problems) all += (all.empty() ? "" : "; ") + p;
     return Error{"", "parameters", all, ""};
   }
-
-  // Runs a stage over everything that needs it; `work` says whether anything had to be computed.
-  auto stage = [&](Stage which, auto&& work) {
-    throwIfStopped(execution);
-    StageReport& report = s.reports[static_cast<size_t>(which)];
-    if (progress) progress(which);
-    const auto begin = std::chrono::steady_clock::now();
-    const bool ran = work();
-    if (ran) {
-      report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      ++s.executions[static_cast<size_t>(which)];
-    }
-    report.reused = !ran;
-  };
-
-  bool pointsChanged = false, labelsChanged = false;
-  stage(Stage::Points, [&] {
-    for (ScanCache& c : s.scans) {
-      if (c.range == params.range) continue;
-      auto image =
-          std::make_shared<const PointImage>(computePoints(*c.products.scan, params.range, execution));
-      if (c.products.scan->unordered())
-        c.products.cloud =
-            std::make_shared<const std::vector<Eigen::Vector3f>>(cloudInMap(*c.products.scan, params.range));
-      c.products.points = std::move(image);
-      c.range = params.range;
-      c.normals.reset();
-      pointsChanged = true;
-    }
-    if (pointsChanged) s.grid.reset();
-    return pointsChanged;
-  });
-  stage(Stage::Normals, [&] {
-    bool ran = false;
-    for (ScanCache& c : s.scans) {
-      if (c.normals == params.normals) continue;
-      c.products.normals = std::make_shared<const NormalImage>(
-          computeNormals(*c.products.points, params.normals, execution, c.historyOfNormals(params.normals)));
-      c.normals = params.normals;
-      c.classes.reset();
-      c.planes.reset();
-      ran = true;
-    }
-    return ran;
-  });
-  stage(Stage::Classes, [&] {
-    bool ran = false;
-    for (ScanCache& c : s.scans) {
-      if (c.classes == params.classes) continue;
-      c.products.classes = std::make_shared<const ClassImage>(
-          computeClasses(*c.products.points, *c.products.normals, params.classes, execution,
-                         c.historyOfClasses(params.classes)));
-      c.classes = params.classes;
-      c.earlier.reset();
-      c.planes.reset();
-      ran = true;
-    }
-    return ran;
-  });
-  stage(Stage::Planes, [&] {
-    const std::pair<PlaneParams, double> wanted{params.planes, params.classes.classToleranceDeg};
-    for (ScanCache& c : s.scans) {
-      if (c.planes == wanted) continue;
-      c.products.planes = std::make_shared<const PlaneImage>(
-          computePlanes(*c.products.points, *c.products.normals, *c.products.classes, params.planes,
-                        params.classes.classToleranceDeg, c.products.labelBase, execution));
-      if (c.products.cloud)
-        c.products.cloudLabels = std::make_shared<const std::vector<PlaneLabel>>(
-            labelsOfCloud(c.products, params.planes.planeDistance));
-      c.planes = wanted;
-      c.edges.reset();
-      labelsChanged = true;
-    }
-    if (labelsChanged) s.objectMap.reset();
-    return labelsChanged;
-  });
-  stage(Stage::Edges, [&] {
-    bool ran = false;
-    for (ScanCache& c : s.scans) {
-      if (c.edges == params.classes.angleToleranceDeg) continue;
-      c.products.edges = std::make_shared<const EdgeSet>(
-          computeEdges(*c.products.points, *c.products.classes, *c.products.planes,
-                       params.classes.angleToleranceDeg, execution));
-      c.edges = params.classes.angleToleranceDeg;
-      ran = true;
-    }
-    return ran;
-  });
-
-  const std::vector<MapInput> inputs = s.mapInputs();
-  std::optional<Error> failure;
-  stage(Stage::Cells, [&] {
-    if (s.grid == params.grid) return false;
-    Expected<CellAssignment> cells = assignCells(inputs, params.grid, execution);
-    if (!cells) {
-      failure = cells.error();
-      return true;
-    }
-    s.cells = std::make_shared<const CellAssignment>(std::move(*cells));
-    s.grid = params.grid;
-    s.heightMap.reset();
-    s.intervals.reset();
-    return true;
-  });
-  if (failure) return *failure;
-  stage(Stage::HeightMap, [&] {
-    if (s.heightMap) return false;
-    s.heightMap = std::make_shared<const HeightMap>(buildHeightMap(*s.cells));
-    return true;
-  });
-  stage(Stage::Intervals, [&] {
-    if (s.intervals == params.intervals) return false;
-    s.intervalMap =
-        std::make_shared<const IntervalMap>(buildIntervalMap(*s.cells, params.intervals, execution));
-    s.intervals = params.intervals;
-    s.objectMap.reset();
-    return true;
-  });
-  stage(Stage::Objects, [&] {
-    if (s.objectMap) return false;
-    s.objectMap = std::make_shared<const ObjectMap>(buildObjectMap(*s.cells, *s.intervalMap, inputs));
-    return true;
-  });
+  const Stopwatch watch;
+  if (const std::optional<Error> failure = Run(s, params, execution, progress).all()) return *failure;
 
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->generation = ++s.generation;
@@ -292,6 +404,7 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
   snapshot->intervalMap = s.intervalMap;
   snapshot->objectMap = s.objectMap;
   snapshot->stages = s.reports;
+  snapshot->seconds = watch.seconds();
   BlockPool::common().startKeeping();  // whoever runs once may run again, and wants the same sizes
   return SnapshotPtr(std::move(snapshot));
 }

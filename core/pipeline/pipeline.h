@@ -26,7 +26,8 @@ public:
 
   void setScans(std::vector<ScanPtr> scans);
 
-  /// Called as each stage begins, in the caller's thread.
+  /// Called in the caller's thread for one stage after the other, before its product is there. Classes, planes
+  /// and maps are worked on side by side, so a map may be done by then.
   using Progress = std::function<void(Stage stage)>;
 
   /// Errors: parameters that do not validate, a map too large for its cell size, no scan.
@@ -39,6 +40,7 @@ public:
 
 private:
   struct State;
+  class Run;
   std::unique_ptr<State> state_;
 };
 

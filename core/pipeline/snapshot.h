@@ -17,7 +17,7 @@
 
 namespace stratascope {
 
-/// The stages in the order they run. A stage is named after its product.
+/// The stages, each after what it reads. A stage is named after its product.
 enum class Stage : std::uint8_t {
   Points,
   Normals,
@@ -64,6 +64,7 @@ struct Snapshot {
   std::shared_ptr<const IntervalMap> intervalMap;
   std::shared_ptr<const ObjectMap> objectMap;
   std::array<StageReport, kStageCount> stages{};
+  double seconds = 0;  ///< of the run that made it; stages that ran side by side count once
 
   /// nullptr if no plane has that label.
   const Plane* plane(PlaneLabel label) const;

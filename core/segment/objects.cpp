@@ -60,12 +60,10 @@ void nameLevels(std::vector<Plane>& planes, double sensorHeight) {
 
 }  // namespace
 
-PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, const ClassImage& classes,
-                         const PlaneParams& params, double classToleranceDeg, PlaneLabel labelBase,
-                         const Execution& execution) {
+PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, const PlaneParams& params,
+                         PlaneLabel labelBase, const Execution& execution) {
   const PlaneRegions regions = growPlaneRegions(points, normals, params, execution);
   const std::vector<RegionMembers> members = collectMembers(points, regions, execution);
-  const Eigen::Vector3d facing(std::cos(classes.wallDirection), std::sin(classes.wallDirection), 0);
 
   PlaneImage image;
   std::vector<Plane> planes(members.size());  // without points where a region is none
@@ -97,7 +95,6 @@ PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, c
     plane.points = static_cast<size_t>(m.moments.n);
     plane.centroid = m.moments.mean;
     plane.area = m.area;
-    plane.surfaceClass = classOfDirection(plane.normal, facing, classToleranceDeg);
   };
   parallelRows(static_cast<int>(members.size()), execution, [&](int begin, int end) {
     for (int l = begin; l < end; ++l) fitMembers(static_cast<size_t>(l));
@@ -120,8 +117,16 @@ PlaneImage computePlanes(const PointImage& points, const NormalImage& normals, c
   std::sort(image.planes.begin(), image.planes.end(), [](const Plane& a, const Plane& b) {
     return a.points != b.points ? a.points > b.points : a.label < b.label;
   });
-  nameLevels(image.planes, points.sensor.z());
   return image;
+}
+
+void namePlanes(PlaneImage& image, const ClassImage& classes, double classToleranceDeg, double sensorHeight) {
+  const Eigen::Vector3d facing(std::cos(classes.wallDirection), std::sin(classes.wallDirection), 0);
+  for (Plane& plane : image.planes) {
+    plane.surfaceClass = classOfDirection(plane.normal, facing, classToleranceDeg);
+    plane.role.clear();
+  }
+  nameLevels(image.planes, sensorHeight);
 }
 
 }  // namespace stratascope

@@ -95,8 +95,8 @@ TEST_F(Stages, OnlyWhatAChangeTouchesRunsAgain) {
   EXPECT_EQ(ran(params), (std::set{Normals, Classes, Planes, Edges, Objects}));
   params.normals.estimator = NormalEstimator::Adaptive;
   EXPECT_EQ(ran(params), (std::set{Normals, Classes, Planes, Edges, Objects}));
-  params.classes.alignWalls = true;
-  EXPECT_EQ(ran(params), (std::set{Classes, Planes, Edges, Objects}));
+  params.classes.alignWalls = true;  // planes get other names, but cells no other planes
+  EXPECT_EQ(ran(params), (std::set{Classes, Planes, Edges}));
   params.planes.minPlanePoints = 200;
   EXPECT_EQ(ran(params), (std::set{Planes, Edges, Objects}));
   params.classes.angleToleranceDeg = params.planes.angleToleranceDeg = 12;
@@ -126,6 +126,23 @@ TEST(PipelineResults, OneAndTwoThreadsGiveTheSameBits) {
   aligned.intervals.rule = IntervalRule::Paper;
   for (const PipelineParams& params : {PipelineParams{}, aligned})
     expectSameProducts(*runFresh(scans, params, {1}), *runFresh(scans, params, {2}));
+}
+
+TEST(PipelineResults, SideBySideAndOneStageAtATimeGiveTheSameBits) {
+  const std::vector<ScanPtr> scans{roomScan(4), roomScan(7)};
+  Pipeline apart, beside;
+  apart.setScans(scans), beside.setScans(scans);
+  PipelineParams params;
+  for (const auto& change : std::vector<void (*)(PipelineParams&)>{
+           [](PipelineParams&) {}, [](PipelineParams& p) { p.classes.classToleranceDeg = 12; },
+           [](PipelineParams& p) { p.planes.planeDistance = 0.05, p.grid.cell = 0.07; },
+           [](PipelineParams& p) { p.classes.clean = false, p.intervals.epsilon = 0.2; },
+           [](PipelineParams& p) { p.normals.epsilon2 = 0.1; }}) {
+    change(params);
+    expectSameProducts(**beside.run(params, {2}),
+                       **apart.run(params, {.threads = 2, .oneStageAtATime = true}));
+    EXPECT_EQ(beside.executions(), apart.executions());
+  }
 }
 
 TEST(PipelineResults, ACancelledRunThrowsAndTheNextIsRight) {
