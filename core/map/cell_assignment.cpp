@@ -35,9 +35,10 @@ public:
   void operator()(std::span<std::uint64_t> keys) {
     constexpr size_t kMany = 64;
     if (keys.size() < kMany) return std::sort(keys.begin(), keys.end());
-    const auto [lowest, highest] = std::minmax_element(keys.begin(), keys.end());
-    const double least = heightOf(*lowest),
-                 slices = static_cast<double>(keys.size()) / (heightOf(*highest) - least + 1);
+    std::uint64_t lowest = keys[0], highest = lowest;
+    for (const std::uint64_t key : keys) lowest = std::min(lowest, key), highest = std::max(highest, key);
+    const double least = heightOf(lowest),
+                 slices = static_cast<double>(keys.size()) / (heightOf(highest) - least + 1);
     const auto sliceOf = [&](std::uint64_t key) {
       return static_cast<size_t>((heightOf(key) - least) * slices);
     };
@@ -48,12 +49,19 @@ public:
     for (const std::uint64_t key : dealt_) keys[end_[sliceOf(key)]++] = key;
     size_t begin = 0;
     for (size_t s = 0; s < keys.size(); begin = end_[s++])
-      if (end_[s] - begin > 1)
-        std::sort(keys.begin() + static_cast<std::ptrdiff_t>(begin),
-                  keys.begin() + static_cast<std::ptrdiff_t>(end_[s]));
+      if (end_[s] - begin > 1) sortFew(keys.subspan(begin, end_[s] - begin));
   }
 
 private:
+  static void sortFew(std::span<std::uint64_t> keys) {
+    if (keys.size() > 16) return std::sort(keys.begin(), keys.end());
+    for (size_t i = 1; i < keys.size(); ++i) {
+      const std::uint64_t key = keys[i];
+      size_t to = i;
+      for (; to > 0 && keys[to - 1] > key; --to) keys[to] = keys[to - 1];
+      keys[to] = key;
+    }
+  }
   static double heightOf(std::uint64_t key) { return static_cast<double>(key >> 32); }  // rises with it
 
   std::vector<std::uint64_t> dealt_;

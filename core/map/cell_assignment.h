@@ -11,6 +11,7 @@
 #include "base/expected.h"
 #include "base/ids.h"
 #include "base/parallel_rows.h"
+#include "base/pooled_vector.h"
 #include "map/map_frame.h"
 #include "params/pipeline_params.h"
 
@@ -32,8 +33,8 @@ struct CellAssignment {
   /// CSR: heights of cell o are heights[first[o]] … heights[first[o+1]−1], ascending by (height, source).
   /// Never NaN, never −0.
   std::vector<std::uint32_t> first;  ///< frame.size() + 1
-  std::vector<float> heights;
-  std::vector<std::uint32_t> source;  ///< index of each height's point: inputs counted through, in order
+  PooledVector<float> heights;
+  PooledVector<std::uint32_t> source;  ///< index of each height's point: inputs counted through, in order
 };
 
 /// Errors: no valid point; a window of more than kMaxMapCells. Linear in points and cells.

@@ -170,7 +170,7 @@ public:
       : s_(state), params_(params), execution_(execution), progress_(progress) {}
 
   /// An error if the map cannot be made.
-  std::optional<Error> all() {
+  std::optional<Error> everything() {
     stage(Stage::Points, [this] { return points(); });
     stage(Stage::Normals, [this] { return normals(); });
     if (execution_.oneStageAtATime) {
@@ -183,16 +183,20 @@ public:
       stage(Stage::Cells, [this] { return cells(); });
       stage(Stage::HeightMap, [this] { return heightMap(); });
       stage(Stage::Intervals, [this] { return intervals(); });
+      if (!failure_) stage(Stage::Objects, [this] { return objects(); });
     } else {
       announce(Stage::Classes);
       announce(Stage::Planes);
-      sideBySide();
+      classesPlanesMaps();
       timed(
           Stage::Planes, [this] { return name(); }, segmentSeconds_);
-      stage(Stage::Edges, [this] { return edges(); });
-      for (const Stage which : {Stage::Cells, Stage::HeightMap, Stage::Intervals}) announce(which);
+      for (const Stage which :
+           {Stage::Edges, Stage::Cells, Stage::HeightMap, Stage::Intervals, Stage::Objects})
+        announce(which);
+      if (!failure_)
+        sideBySide({[this] { timed(Stage::Edges, [this] { return edges(); }); },
+                    [this] { timed(Stage::Objects, [this] { return objects(); }); }});
     }
-    if (!failure_) stage(Stage::Objects, [this] { return objects(); });
     return failure_;
   }
 
@@ -219,12 +223,23 @@ private:
     timed(which, work);
   }
 
-  // Classes, regions of planes and maps need nothing of each other: where one goes on step by step on a
-  // single thread, another has the rest. The longest comes first.
-  void sideBySide() {
+  using Work = std::function<void()>;
+  void sideBySide(const std::vector<Work>& works) const {
+    if (works.size() == 1) return works.front()();  // all threads are its own
+    parallelRows(
+        static_cast<int>(works.size()), execution_,
+        [&](int begin, int end) {
+          for (int i = begin; i < end; ++i) works[static_cast<size_t>(i)]();
+        },
+        1);
+  }
+
+  // They need nothing of each other: where one goes on step by step on a single thread, another has the rest.
+  // The longest comes first.
+  void classesPlanesMaps() {
     const auto anyScan = [this](const auto& needs) { return std::ranges::any_of(s_.scans, needs); };
-    std::vector<std::function<void()>> needed;
-    const auto add = [&](bool isNeeded, std::function<void()> work) {
+    std::vector<Work> needed;
+    const auto add = [&](bool isNeeded, Work work) {
       if (isNeeded)
         needed.push_back(std::move(work));
       else
@@ -238,13 +253,7 @@ private:
       timed(Stage::HeightMap, [this] { return heightMap(); });
       timed(Stage::Intervals, [this] { return intervals(); });
     });
-    if (needed.size() == 1) return needed.front()();
-    parallelRows(
-        static_cast<int>(needed.size()), execution_,
-        [&](int begin, int end) {
-          for (int i = begin; i < end; ++i) needed[static_cast<size_t>(i)]();
-        },
-        1);
+    sideBySide(needed);
   }
 
   bool points() {
@@ -393,7 +402,7 @@ Expected<SnapshotPtr> Pipeline::run(const PipelineParams& params, const Executio
     return Error{"", "parameters", all, ""};
   }
   const Stopwatch watch;
-  if (const std::optional<Error> failure = Run(s, params, execution, progress).all()) return *failure;
+  if (const std::optional<Error> failure = Run(s, params, execution, progress).everything()) return *failure;
 
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->generation = ++s.generation;

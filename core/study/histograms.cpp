@@ -60,7 +60,7 @@ std::span<const float> heightsOf(const CellAssignment& cells, CellIndex cell) {
 }
 
 std::vector<float> allHeights(const CellAssignment& cells) {
-  std::vector<float> heights = cells.heights;
+  std::vector<float> heights(cells.heights.begin(), cells.heights.end());
   std::sort(heights.begin(), heights.end());
   return heights;
 }

@@ -102,8 +102,8 @@ TEST(CellAssignment, DividesAsTheDefinitionSays) {
   // 0.15f / 0.05 is 3.0000001 and 0.35f / 0.05 is 6.9999998: in double the float's own value decides
   const CellAssignment cells = cellsOf({{0.15f, 0.35f, 1}, {-0.15f, -0.35f, 2}});
   EXPECT_EQ(cells.frame, (MapFrame{0.05, -4, -7, 8, 14}));
-  EXPECT_EQ(cells.heights, (std::vector<float>{2, 1}));
-  EXPECT_EQ(cells.source, (std::vector<std::uint32_t>{1, 0}));
+  EXPECT_EQ(cells.heights, (PooledVector<float>{2, 1}));
+  EXPECT_EQ(cells.source, (PooledVector<std::uint32_t>{1, 0}));
 }
 
 TEST(CellAssignment, WithoutValidPointIsAnError) {
