@@ -12,6 +12,7 @@
 #include "cnn/neighbourhood.h"
 #include "cnn/template_network.h"
 #include "layers/changed_lines.h"
+#include "layers/plain_neurons.h"
 
 namespace stratascope {
 
@@ -93,12 +94,14 @@ bool known(const Eigen::Vector3f& n) {
   return n.x() == n.x();
 }
 
+float cosParallel(const ClassParams& params) {
+  return static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)));
+}
+
 class EdgeRule {
 public:
   EdgeRule(const PointImage& points, const NormalImage& normals, const ClassParams& params)
-      : points_(points),
-        normals_(normals),
-        cosParallel_(static_cast<float>(std::cos(degToRad(params.angleToleranceDeg)))) {
+      : points_(points), normals_(normals), cosParallel_(cosParallel(params)) {
     for (size_t k = 0; k < offsets_.size(); ++k)
       offsets_[k] = static_cast<std::ptrdiff_t>(kLatticeDirections[k].row) * points.range.cols() +
                     kLatticeDirections[k].col;
@@ -112,7 +115,7 @@ public:
     const bool atBorder = at.row == 0 || at.col == 0 || at.row + 1 == points_.range.rows() ||
                           at.col + 1 == points_.range.cols();
     const float range = points_.range[o];
-    const float noise2 = largestNoise2(range);
+    const float noise2 = largestNoise2(points_.noise, range);
     const Eigen::Vector3f normal = normals_.normals[o];
     for (size_t k = 0; k < kLatticeDirections.size(); ++k) {
       const GridIndex d = kLatticeDirections[k], to{at.row + d.row, at.col + d.col};
@@ -141,17 +144,11 @@ public:
   }
 
 private:
-  // Square of the largest difference in range that noise explains.
-  float largestNoise2(float range) const { return static_cast<float>(36 * points_.noise.varianceAt(range)); }
   bool valid(GridIndex i) const { return points_.range.contains(i) && points_.range(i) == points_.range(i); }
 
-  // Length on the surface that a neuron sees under one radian; without a normal, as if it were seen at 75°.
   float spreadAt(GridIndex at) const {
-    if (!valid(at)) return 0;
-    float cosine = 0.26f;
-    if (const Eigen::Vector3f& n = normals_.normals(at); known(n))
-      cosine = std::max(0.05f, normals_.distance(at) / points_.range(at));
-    return points_.range(at) / cosine;
+    return valid(at) ? spreadOnSurface(points_.range(at), normals_.distance(at), known(normals_.normals(at)))
+                     : 0;
   }
 
   // The depth breaks off where two neighbours are farther apart than both surfaces together account for.
@@ -296,8 +293,8 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
   const Eigen::Vector3d facing(std::cos(image.wallDirection), std::sin(image.wallDirection), 0);
   const double least = std::cos(degToRad(params.classToleranceDeg));
   const EdgeRule edge(points, normals, params);
-  const auto classOf = [&](GridIndex at) {
-    const SurfaceClass onEdge = edge(at);
+  const auto classOf = [&](GridIndex at, bool onNoEdge) {
+    const SurfaceClass onEdge = onNoEdge ? SurfaceClass::Unknown : edge(at);
     if (onEdge != SurfaceClass::Unknown) return onEdge;
     const Eigen::Vector3f& n = normals.normals(at);
     return known(n) ? classWithin(n.cast<double>(), facing, least) : SurfaceClass::Unknown;
@@ -306,9 +303,12 @@ ClassImage computeClasses(const PointImage& points, const NormalImage& normals, 
   Grid<SurfaceClass> raw = params.clean ? image.classes : Grid<SurfaceClass>();
   Grid<SurfaceClass>& first = params.clean ? raw : image.classes;
   parallelRows(lines, execution, [&](int begin, int end) {
+    PlainNeurons plain(points, normals, cosParallel(params));
     for (int i = begin; i < end; ++i) {
-      if (todo.classes({i, 0}))
-        for (int j = 0; j < beams; ++j) first({i, j}) = classOf({i, j});
+      if (todo.classes({i, 0})) {
+        const std::vector<std::int32_t>& doubtful = plain.doubtful(i);
+        for (int j = 0; j < beams; ++j) first({i, j}) = classOf({i, j}, !doubtful[static_cast<size_t>(j)]);
+      }
       if (!todo.clean({i, 0}) && (params.clean || !todo.classes({i, 0})))
         std::ranges::copy(before.classes->classes.row(i), image.classes.row(i).begin());
     }
