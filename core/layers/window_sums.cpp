@@ -10,11 +10,10 @@ void WindowSums::build(const PointImage& image, int firstLine, int endLine, cons
   first_ = firstLine, end_ = endLine;
   const int beams = image.points.cols(), lines = endLine - firstLine;
   stride_ = static_cast<size_t>(beams) + 1;
-  if (const size_t size = static_cast<size_t>(lines + 1) * stride_; size > capacity_) {
-    table_ = std::make_unique_for_overwrite<Entry[]>(size);  // all of it is written below
-    capacity_ = size;
-  }
-  std::fill_n(table_.get(), stride_, Entry{});
+  // All of it is written below.
+  if (const size_t size = static_cast<size_t>(lines + 1) * stride_; size > table_.size())
+    table_ = PooledVector<Entry>(size);
+  std::fill_n(table_.begin(), stride_, Entry{});
   // Along the lines first, then down the beams: both passes are independent of the number of threads.
   parallelRows(lines, execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

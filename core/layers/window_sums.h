@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <memory>
 
 #include "base/parallel_rows.h"
+#include "base/pooled_vector.h"
 #include "layers/products.h"
 #include "layers/range_plane_fit.h"
 
@@ -49,9 +49,7 @@ private:
   }
   int first_ = 0, end_ = 0;
   size_t stride_ = 0;
-  size_t capacity_ = 0;
-  // Not pooled: idle it would be the largest thing in memory while planes are found.
-  std::unique_ptr<Entry[]> table_;  // one row and one column of zeros before the first
+  PooledVector<Entry> table_;  // one row and one column of zeros before the first
 };
 
 }  // namespace stratascope
