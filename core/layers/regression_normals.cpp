@@ -363,8 +363,11 @@ private:
 
   template <class Body>
   void eachBand(const Execution& execution, const Body& body) {
-    const int lines = image_.range.rows();
-    for (int first = 0; first < lines; first += kBandLines) {
+    // There and back: the table of the last band serves the next step first.
+    const int lines = image_.range.rows(), bands = (lines + kBandLines - 1) / kBandLines;
+    const bool back = sums_.firstLine() > 0;
+    for (int k = 0; k < bands; ++k) {
+      const int first = kBandLines * (back ? bands - 1 - k : k);
       const int end = std::min(lines, first + kBandLines);
       const int from = std::max(0, first - WindowRule::kMostHalf),
                 to = std::min(lines, end + WindowRule::kMostHalf);
@@ -409,7 +412,7 @@ private:
   Grid<OwnWindow>& window_ = memory_->window;
   Grid<std::uint8_t>& gotNormalIn_ = memory_->step;
   std::uint8_t step_ = 0;
-  std::vector<size_t> recalled_;  // neurons a line; no two threads look at the same line
+  std::vector<size_t> recalled_;         // neurons a line; no two threads look at the same line
   const NormalImage* before_ = nullptr;  // an earlier run, and what is as it was then
   std::optional<Unchanged> unchanged_;
   const WindowRule rule_{image_, params_};
