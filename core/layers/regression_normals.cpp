@@ -365,6 +365,7 @@ private:
   void eachBand(const Execution& execution, const Body& body) {
     // There and back: the table of the last band serves the next step first.
     const int lines = image_.range.rows(), bands = (lines + kBandLines - 1) / kBandLines;
+    sums_.reserve(std::min(lines, kBandLines + 2 * WindowRule::kMostHalf), image_.range.cols());
     const bool back = sums_.firstLine() > 0;
     for (int k = 0; k < bands; ++k) {
       const int first = kBandLines * (back ? bands - 1 - k : k);

@@ -6,13 +6,16 @@
 
 namespace stratascope {
 
+void WindowSums::reserve(int lines, int beams) {
+  const size_t size = static_cast<size_t>(lines + 1) * (static_cast<size_t>(beams) + 1);
+  if (size > table_.size()) table_ = PooledVector<Entry>(size);  // build() writes all of it
+}
+
 void WindowSums::build(const PointImage& image, int firstLine, int endLine, const Execution& execution) {
   first_ = firstLine, end_ = endLine;
   const int beams = image.points.cols(), lines = endLine - firstLine;
   stride_ = static_cast<size_t>(beams) + 1;
-  // All of it is written below.
-  if (const size_t size = static_cast<size_t>(lines + 1) * stride_; size > table_.size())
-    table_ = PooledVector<Entry>(size);
+  reserve(lines, beams);
   std::fill_n(table_.begin(), stride_, Entry{});
   // Along the lines first, then down the beams: both passes are independent of the number of threads.
   parallelRows(lines, execution, [&](int begin, int end) {

@@ -23,6 +23,8 @@ struct LatticeWindow {
 /// time. Unweighted sums of q (not of u or r²q) keep near and far neurons within the precision of double.
 class WindowSums {
 public:
+  /// Memory for so many lines at once: what grows step by step is taken from the system twice.
+  void reserve(int lines, int beams);
   /// Lines [firstLine, endLine) of the image. Reuses its memory.
   void build(const PointImage& image, int firstLine, int endLine, const Execution& execution = {});
   /// Of a window that lies within those lines.
