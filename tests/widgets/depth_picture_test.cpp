@@ -92,6 +92,29 @@ TEST(DepthPicture, AFaceCoversThePixelsWhoseMiddleItHolds) {
   EXPECT_EQ(pixelsSet(faceDrawn({-1, -1, -3, 1, -1, 1, 1, 1, 1, -1, 1, -3})).size(), 5u * 8u);
 }
 
+TEST(DepthPicture, AShapeStandsUprightAboutItsPlace) {
+  const std::vector<std::uint8_t> coverage{255, 128, 0,  //
+                                           0,   0,   64};
+  const auto drawnAt = [&](const Eigen::Vector3f& place, const Cloud& before = {}) {
+    DepthPicture picture = drawn(before, std::vector<std::uint8_t>(3 * before.size(), 9), 1);
+    picture.drawShape(place, {1, 2, 3}, coverage, 3, kAsItIs);
+    return picture;
+  };
+  const DepthPicture picture = drawnAt({0, 0, 0});
+  EXPECT_EQ(pixelsSet(picture), (std::vector<int>{36, 44, 45})) << "what is not covered is not set";
+  EXPECT_EQ(picture.pixels()[44].a, 255);
+  EXPECT_EQ(picture.pixels()[45].a, 128);
+  EXPECT_EQ(picture.pixels()[36].a, 64);
+  EXPECT_EQ(picture.pixels()[36].b, 3);
+  EXPECT_FLOAT_EQ(picture.depths()[45], 0.5f);
+  // A point before it hides a part of it, one behind it does not.
+  EXPECT_EQ(drawnAt({0, 0, 0}, {{0.1f, 0.125f, -0.1f}}).pixels()[45].r, 9);
+  EXPECT_EQ(drawnAt({0, 0, 0}, {{0.1f, 0.125f, 0.1f}}).pixels()[45].r, 1);
+  EXPECT_EQ(pixelsSet(drawnAt({-1, -1, 0})), std::vector<int>{0}) << "the rest lies outside";
+  EXPECT_TRUE(pixelsSet(drawnAt({0, 0, 1.5f})).empty());
+  EXPECT_TRUE(pixelsSet(drawnAt({4, 0, 0})).empty());
+}
+
 TEST(DepthPicture, FacesThatShareASideLeaveNoGap) {
   // A sheet wider than the picture, torn into crooked faces: every pixel belongs to one of them.
   constexpr int n = 12;

@@ -11,6 +11,7 @@
 
 #include "widgets/log_panel.h"
 #include "widgets/message_bar.h"
+#include "widgets/theme.h"
 #include "widgets/view_area.h"
 #include "window_support.h"
 
@@ -107,6 +108,43 @@ TEST_F(Window, ChangedEpsilonDrawsOnlyTheViewThatChanged) {
   EXPECT_EQ(drawn[0], 0);
   EXPECT_EQ(drawn[1], 0);
   EXPECT_GT(drawn[2], 0);
+}
+
+TEST_F(Window, HeldViewsAreDrawnWhenTheyAreLetGoOrAMomentLater) {
+  ViewArea& views = window_->views();
+  int drawn = 0;
+  QObject::connect(views.cloud(), &VtkView::drawn, [&] { ++drawn; });
+  views.hold(true);
+  views.cloud()->scheduleRender();
+  QCoreApplication::processEvents();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(drawn, 0);
+  EXPECT_TRUE(views.cloud()->renderPending());
+  views.hold(false);
+  ASSERT_TRUE(waitFor([&] { return drawn == 1; }));
+  EXPECT_FALSE(views.cloud()->renderPending());
+
+  views.hold(true);
+  views.cloud()->scheduleRender();
+  EXPECT_TRUE(waitFor([&] { return drawn == 2; })) << "nobody let go";
+  views.hold(true);
+  views.hold(false);
+  QTest::qWait(50);
+  EXPECT_EQ(drawn, 2) << "there was nothing to draw";
+}
+
+TEST_F(Window, TheGroundGridIsLabelled) {
+  CloudView* cloud = window_->views().cloud();
+  const QColor ink = mutedText(cloud->palette());
+  const auto count = [&] {
+    return test::countNear(pictureOf(cloud),
+                           {static_cast<std::uint8_t>(ink.red()), static_cast<std::uint8_t>(ink.green()),
+                            static_cast<std::uint8_t>(ink.blue())},
+                           12);
+  };
+  const int with = count();
+  window_->views().setGrid(false);
+  EXPECT_GT(with, count() + 60);
 }
 
 TEST(WindowProgram, BatchWritesPictureAndResultsOrOneLine) {
