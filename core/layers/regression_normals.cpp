@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kShare = 3;            // neurons a side that share their largest window
 constexpr double kCloseShare = 0.4;  // of ε1: how far from its window's middle a neuron may lie
-constexpr int kBandLines = 1024;     // lines that share one summed-area table
+constexpr int kBandLines = 2048;     // lines that share one summed-area table
 
 /// Shapes of about the same lever arm: of those that agree with the noise, the best is taken.
 struct Level {
