@@ -103,7 +103,6 @@ struct Pipeline::State {
   std::shared_ptr<const HeightMap> heightMap;
   std::shared_ptr<const IntervalMap> intervalMap;
   std::shared_ptr<const ObjectMap> objectMap;
-  std::shared_ptr<const IntervalMap> objectsOf;  ///< what objectMap was made from
   std::optional<GridParams> grid;
   std::optional<IntervalParams> intervals;
   std::array<StageReport, kStageCount> reports{};
@@ -225,7 +224,6 @@ private:
 
   using Work = std::function<void()>;
   void sideBySide(const std::vector<Work>& works) const {
-    if (works.size() == 1) return works.front()();  // all threads are its own
     parallelRows(
         static_cast<int>(works.size()), execution_,
         [&](int begin, int end) {
@@ -372,14 +370,14 @@ private:
     s_.intervalMap =
         std::make_shared<const IntervalMap>(buildIntervalMap(*s_.cells, params_.intervals, execution_));
     s_.intervals = params_.intervals;
+    s_.objectMap.reset();
     return true;
   }
 
   bool objects() {
-    if (s_.objectMap && s_.objectsOf == s_.intervalMap) return false;
+    if (s_.objectMap) return false;
     s_.objectMap =
         std::make_shared<const ObjectMap>(buildObjectMap(*s_.cells, *s_.intervalMap, s_.labelledInputs()));
-    s_.objectsOf = s_.intervalMap;
     return true;
   }
 
