@@ -54,17 +54,14 @@ namespace {
 /// "Computed Planes, Edges: 0.31 s, 27 planes, 6,260 records"
 QString computedText(const Snapshot& snapshot) {
   QStringList ran;
-  double seconds = 0;
   size_t planes = 0;
   for (int i = 0; i < kStageCount; ++i) {
     const StageReport& report = snapshot.stages[static_cast<size_t>(i)];
-    if (report.reused) continue;
-    ran << tableText(stageLabel(static_cast<Stage>(i)));
-    seconds += report.seconds;
+    if (!report.reused) ran << tableText(stageLabel(static_cast<Stage>(i)));
   }
   for (const ScanProducts& scan : snapshot.scans) planes += scan.planes ? scan.planes->planes.size() : 0;
   return MainWindow::tr("Computed %1 in %2: %3 planes, %4 records")
-      .arg(ran.join(QStringLiteral(", ")), secondsText(seconds), countText(planes),
+      .arg(ran.join(QStringLiteral(", ")), secondsText(snapshot.seconds), countText(planes),
            countText(snapshot.intervalMap ? snapshot.intervalMap->records.size() : 0));
 }
 

@@ -113,13 +113,15 @@ Expected<std::vector<SweepSample>> runSweep(const std::vector<ScanPtr>& scans, c
   const auto values = sweepValues(plan);
   if (!values) return values.error();
   if (scans.empty()) return Error{"", "", "there is no scan to sweep over", "open one first"};
+  Execution apart = execution;
+  apart.oneStageAtATime = true;  // a sample's seconds are the sum of its stages', some of them from before
   Pipeline pipeline;
   pipeline.setScans(scans);
   std::vector<SweepSample> samples;
   for (const double value : *values) {
     throwIfStopped(execution);
     SweepSample sample{value, {}, {}};
-    const auto result = pipeline.run(sweepParams(base, plan.key, value), execution);
+    const auto result = pipeline.run(sweepParams(base, plan.key, value), apart);
     if (result)
       sample.figures = sweepFigures(**result);
     else
