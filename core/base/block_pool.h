@@ -7,7 +7,6 @@
 #include <list>
 #include <mutex>
 #include <new>
-#include <type_traits>
 
 namespace stratascope {
 
@@ -58,24 +57,6 @@ struct PoolAllocator {
   }
   void deallocate(T* memory, std::size_t n) noexcept { BlockPool::common().giveBack(memory, n * sizeof(T)); }
   friend bool operator==(const PoolAllocator&, const PoolAllocator&) { return true; }
-};
-
-/// An array whose values are not set.
-template <class T>
-class PooledArray {
-public:
-  explicit PooledArray(std::size_t size) : size_(size), values_(PoolAllocator<T>().allocate(size)) {}
-  PooledArray(const PooledArray&) = delete;
-  PooledArray& operator=(const PooledArray&) = delete;
-  ~PooledArray() { PoolAllocator<T>().deallocate(values_, size_); }
-
-  T* get() const { return values_; }
-  T& operator[](std::size_t i) const { return values_[i]; }
-
-private:
-  static_assert(std::is_trivially_copyable_v<T>);
-  const std::size_t size_;
-  T* const values_;
 };
 
 }  // namespace stratascope

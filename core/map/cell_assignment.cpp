@@ -11,8 +11,6 @@
 #include <string>
 #include <utility>
 
-#include "base/block_pool.h"
-
 namespace stratascope {
 namespace {
 
@@ -187,7 +185,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
   Expected<MapFrame> window = windowOf(bounds, params.cell);
   if (!window) return window.error();
   const MapFrame frame = result.frame = *window;
-  const PooledArray<std::uint32_t> cellOf(total);
+  PooledVector<std::uint32_t> cellOf(total);
   eachPart(parts, execution, [&](const Part& part, size_t) {
     for (size_t k = 0; k < part.points.size(); ++k)
       if (const Eigen::Vector3f& p = part.points[k]; isFinite(p))
@@ -224,7 +222,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
     for (auto& ofGroup : placeOf) place += std::exchange(ofGroup[o], place);
   }
   first.back() = place;
-  const PooledArray<std::uint64_t> keys(bounds.count);
+  PooledVector<std::uint64_t> keys(bounds.count);
   eachGroup([&](std::uint32_t& at, const Eigen::Vector3f& p, size_t source) {
     // + 0 turns −0 into 0, so that equal heights are equal bits
     keys[at++] = std::uint64_t{risingBits(p.z() + 0.0f)} << 32 | source;
@@ -237,7 +235,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
       [&](int begin, int end) {
         SortByHeight sort;
         for (auto cell = static_cast<size_t>(begin); cell < static_cast<size_t>(end); ++cell)
-          sort({keys.get() + first[cell], keys.get() + first[cell + 1]});
+          sort({keys.data() + first[cell], keys.data() + first[cell + 1]});
         for (size_t k = first[static_cast<size_t>(begin)]; k < first[static_cast<size_t>(end)]; ++k) {
           result.heights[k] = fromRisingBits(static_cast<std::uint32_t>(keys[k] >> 32));
           result.source[k] = static_cast<std::uint32_t>(keys[k]);
