@@ -36,6 +36,7 @@ namespace stratascope {
 namespace {
 
 using test::CompareWindow;
+using test::countNear;
 using test::waitFor;
 
 TEST_F(CompareWindow, HiddenPlanesAreGoneAndOwnColoursAreDrawn) {

@@ -8,7 +8,6 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cmath>
 #include <memory>
 
 #include "app/compare_control.h"
@@ -58,17 +57,7 @@ protected:
     view->renderNow();
     return view->canvas()->grab().toImage().convertToFormat(QImage::Format_RGB32);
   }
-  static int countNear(const QImage& image, Rgb colour, int tolerance = 8) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y)
-      for (int x = 0; x < image.width(); ++x) {
-        const QRgb p = image.pixel(x, y);
-        count += std::abs(qRed(p) - colour.r) <= tolerance && std::abs(qGreen(p) - colour.g) <= tolerance &&
-                 std::abs(qBlue(p) - colour.b) <= tolerance;
-      }
-    return count;
-  }
-  /// Pixels that differ, leaving out what lies within `margin` of the border.
+  /// Pixels that differ; −1 for pictures of different sizes.
   static int differing(const QImage& a, const QImage& b) {
     if (a.size() != b.size()) return -1;
     int count = 0;

@@ -36,7 +36,7 @@ bool waitFor(const Condition& condition, int mostMs = 60000) {
 }
 
 /// How many pixels are within `tolerance` of the colour in each channel.
-int countNear(const QImage& image, Rgb colour, int tolerance);
+int countNear(const QImage& image, Rgb colour, int tolerance = 8);
 
 /// The window with the room open and computed.
 class Window : public testing::Test {
