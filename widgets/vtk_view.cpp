@@ -132,8 +132,8 @@ VtkView::VtkView(const QString& title, QWidget* parent) : QFrame(parent) {
   canvas_->setObjectName("canvas");
   canvas_->setMinimumSize(120, 90);
   renderer_->SetBackground(1, 1, 1);
-  renderer_->GetCullers()
-      ->RemoveAllItems();  // few props, all in sight; asking each for its bounds costs more
+  // Few props, all in sight: asking each for its bounds costs more than drawing it.
+  renderer_->GetCullers()->RemoveAllItems();
   window_->AddRenderer(renderer_);
   vtkNew<UprightStyle> style;
   style->SetDefaultRenderer(renderer_);
