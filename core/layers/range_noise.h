@@ -31,7 +31,7 @@ public:
   /// surface's own roughness, which counts for more as the surface turns away.
   double varianceAt(float r, double cosine) const { return withRoughness(varianceAt(r), cosine); }
   static double withRoughness(double variance, double cosine) {
-    const double rough = kRoughness / std::max(0.05, cosine);
+    const double rough = kRoughness / std::max(kLeastCosine, cosine);
     return variance + rough * rough;
   }
   /// Whether both say the same of every range of a line.
@@ -45,6 +45,7 @@ public:
 
   static constexpr double kFloor = 2e-4;        ///< quantisation to a millimetre: 1 mm / √12
   static constexpr double kRoughness = 1.5e-3;  ///< of surfaces themselves, across the surface, metres
+  static constexpr double kLeastCosine = 0.05;  ///< a surface turned farther away counts as turned so far
 
 private:
   friend RangeNoise estimateRangeNoise(const PointImage&, const Grid<Eigen::Vector3f>&, const Execution&);

@@ -59,32 +59,52 @@ struct RangePlane {
   double cosIncidence(const Eigen::Vector3d& q) const { return std::abs(unit.dot(q)) / q.norm(); }
 };
 
-/// Solves Eq. (9) by LDLᵀ of the augmented matrix [A b; bᵀ w]: its last pivot is the residual, without the
-/// cancellation of evaluating w + N·b. n·sensor side: N·0 + 1 > 0, so N points from the surface toward the
-/// sensor.
-inline RangePlane fitRangePlane(const RangePlaneSums& s) {
-  RangePlane plane;
-  if (s.n < 3 || !(s.xx > 0) || !(s.yy > 0) || !(s.zz > 0)) return plane;
-  const double d0 = s.xx;
-  const double l10 = s.xy / d0, l20 = s.xz / d0, l30 = s.x / d0;
+/// N of Eq. (9), and S; without the square root and what follows from it, for those who look at S first.
+struct RangePlaneSolution {
+  Eigen::Vector3d n = Eigen::Vector3d::Zero();
+  double residual = 0;
+  bool solved = false;
+};
+
+/// LDLᵀ of the augmented matrix [A b; bᵀ w]: its last pivot is the residual, without the cancellation of
+/// evaluating w + N·b.
+inline RangePlaneSolution solveRangePlane(const RangePlaneSums& s) {
+  RangePlaneSolution solution;
+  if (s.n < 3 || !(s.xx > 0) || !(s.yy > 0) || !(s.zz > 0)) return solution;
+  const double by0 = 1 / s.xx;
+  const double l10 = s.xy * by0, l20 = s.xz * by0, l30 = s.x * by0;
   const double d1 = s.yy - l10 * s.xy;
   const double m12 = s.yz - l10 * s.xz, m13 = s.y - l10 * s.x;
-  if (!(std::abs(d1) > 1e-13 * s.yy)) return plane;
-  const double l21 = m12 / d1, l31 = m13 / d1;
+  if (!(std::abs(d1) > 1e-13 * s.yy)) return solution;
+  const double by1 = 1 / d1;
+  const double l21 = m12 * by1, l31 = m13 * by1;
   const double d2 = s.zz - l20 * s.xz - l21 * m12;
   const double m23 = s.z - l20 * s.x - l21 * m13;
-  if (!(d2 > 1e-13 * s.zz)) return plane;
+  if (!(d2 > 1e-13 * s.zz)) return solution;
   const double l32 = m23 / d2;
-  plane.residual = std::max(0.0, s.w - l30 * s.x - l31 * m13 - l32 * m23);
+  solution.residual = std::max(0.0, s.w - l30 * s.x - l31 * m13 - l32 * m23);
   // Back substitution of Lᵀ N = −(l30, l31, l32).
   const double nz = -l32;
   const double ny = -l31 - l21 * nz;
   const double nx = -l30 - l10 * ny - l20 * nz;
-  plane.n = {nx, ny, nz};
+  solution.n = {nx, ny, nz};
+  solution.solved = true;
+  return solution;
+}
+
+/// Eq. (9). N·0 + 1 > 0, so N points from the surface toward the sensor.
+inline RangePlane planeOf(const RangePlaneSolution& solution) {
+  RangePlane plane;
+  if (!solution.solved) return plane;
+  plane.n = solution.n;
+  plane.residual = solution.residual;
   plane.fromSensor = 1 / plane.n.norm();
   plane.unit = plane.fromSensor * plane.n;
   plane.valid = plane.unit.allFinite();
   return plane;
+}
+inline RangePlane fitRangePlane(const RangePlaneSums& s) {
+  return planeOf(solveRangePlane(s));
 }
 
 }  // namespace stratascope

@@ -21,7 +21,10 @@ namespace stratascope {
 namespace {
 
 constexpr int kShare = 3;            // neurons a side that share their largest window
+constexpr int kShareCentred = 2;     // and the smaller ones
 constexpr double kCloseShare = 0.4;  // of ε1: how far from its window's middle a neuron may lie
+constexpr double kSameHalf = 0.35;   // of ε2: neurons as near as that have windows of one size,
+constexpr double kSameWindow = 0.5;  // and as near as that may share smaller ones
 constexpr int kBandLines = 2048;     // lines that share one summed-area table
 
 /// Shapes of about the same lever arm: of those that agree with the noise, the best is taken.
@@ -99,7 +102,7 @@ private:
     return unchanged_ && unchanged_->linesUpTo(at.row + lines) &&
            unchanged_->states(at.row - lines, at.row + lines);
   }
-  int mostLines(size_t o) const { return static_cast<int>(half_[o].lines + 0.5f) + 1; }
+  static int mostLines(const WindowHalf& half) { return static_cast<int>(half.lines + 0.5f) + 1; }
 
   /// What the earlier run found in this step, if anything.
   void recall(size_t o) {
@@ -157,7 +160,7 @@ private:
         fit = rule_.fit(at, half_[o], {1, 1}, sums);
       }
       const bool fits = fit && misfit(beam(at), fit->local).isNoise();
-      if (follows) half_[o] = fits ? half_(leader) : rule_.largestHalf(at);
+      if (follows) half_[o] = fits || isWithin(kSameHalf, o, leader) ? half_(leader) : rule_.largestHalf(at);
       if (fits) take(at, {1, 1}, fit->local);
     };
     // The middle one first. Whoever is not close to the leader so far leads those after it.
@@ -210,9 +213,15 @@ private:
                open.end());
   }
 
-  // Windows around the neurons themselves; the next neuron along the line shares them, as above.
+  bool isWithin(double shareOfEpsilon2, size_t o, GridIndex of) const {
+    const auto distance = static_cast<float>(shareOfEpsilon2 * params_.epsilon2);
+    return (image_.points[o] - image_.points(of)).squaredNorm() < distance * distance;
+  }
+
+  // Windows around the neurons themselves; those of a small block share them, as above.
   void centred(const Level& level, std::vector<std::uint32_t>& open, const Execution& execution) {
-    constexpr int kLines = 4;
+    constexpr int kLines = 8;
+    static_assert(kLines % kShareCentred == 0 && kBandLines % kShareCentred == 0);
     eachBand(execution, [&](int first, int end, const WindowSums& sums) {
       parallelRows(
           end - first, execution,
@@ -230,55 +239,68 @@ private:
 
   /// All open neurons of some lines.
   void centred(const Level& level, std::span<const std::uint32_t> neurons, const WindowSums& sums) {
-    std::array<std::optional<WindowFit>, 4> fits;
-    std::uint32_t leader = kNone, fitted = kNone;
+    struct Shared {
+      GridIndex leader{-1, -1};
+      bool fitted = false;
+      std::array<std::optional<WindowFit>, 4> fits;
+    };
+    std::vector<Shared> blocks(static_cast<size_t>(image_.range.cols() / kShareCentred) + 1);
     for (const std::uint32_t o : neurons) {
       const GridIndex at = image_.range.index(o);
-      const bool follows = leader != kNone && o == leader + 1 && at.col > 0 && half_[o].beams >= 6 &&
-                           (image_.points[o] - image_.points[leader]).norm() < 0.5 * params_.epsilon2;
-      const std::uint32_t window = follows ? leader : o;
-      leader = follows ? kNone : o;
-      if (unaffected(at, mostLines(o))) {
+      Shared& shared = blocks[static_cast<size_t>(at.col / kShareCentred)];
+      if (!follows(at, shared.leader)) shared.leader = at, shared.fitted = false;
+      const WindowHalf& half = half_(shared.leader);
+      if (unaffected(shared.leader, mostLines(half) + kShareCentred)) {
         recall(o);
         continue;
       }
-      if (window != fitted) {
-        fitted = window;
-        for (int s = 0; s < level.count; ++s)
-          fits[static_cast<size_t>(s)] = rule_.fit(image_.range.index(window), half_[window],
-                                                   level.shapes[static_cast<size_t>(s)], sums);
+      if (!shared.fitted) {
+        shared.fitted = true;
+        for (size_t s = 0; s < static_cast<size_t>(level.count); ++s)
+          shared.fits[s] = rule_.fit(shared.leader, half, level.shapes[s], sums);
       }
       const Beam own = beam(at);
       double best = 1;
-      for (int s = 0; s < level.count; ++s) {
-        const std::optional<WindowFit>& fit = fits[static_cast<size_t>(s)];
+      for (size_t s = 0; s < static_cast<size_t>(level.count); ++s) {
+        const std::optional<WindowFit>& fit = shared.fits[s];
         if (!fit) continue;
         const Misfit m = misfit(own, fit->local);
         const double disagreement = std::max(fit->disagreement, m.error2 / m.explained);
         if (disagreement >= best) continue;
         best = disagreement;
-        take(at, level.shapes[static_cast<size_t>(s)], fit->local);
+        take(at, level.shapes[s], fit->local);
       }
       compare(o);
     }
+  }
+  bool follows(GridIndex at, GridIndex leader) const {
+    constexpr float kLarge =
+        6;  // one neuron more or less makes little difference to a window of this half-size
+    if (leader.row < 0 || leader.row / kShareCentred != at.row / kShareCentred) return false;
+    return half_(leader).lines >= kLarge && half_(leader).beams >= kLarge &&
+           isWithin(kSameWindow, image_.range.offset(at), leader);
   }
 
   // A plane found around a neighbour, if its window holds this neuron and it explains the neuron's range. One
   // synchronous step: only neurons with a window of their own are asked.
   void takeOver(const Level& level, std::vector<std::uint32_t>& open, const Execution& execution) {
-    const auto reach = [this](std::uint32_t o) { return mostLines(o); };
+    const auto reach = [this](std::uint32_t o) { return mostLines(half_[o]); };
+    const int rows = image_.range.rows(), cols = image_.range.cols();
     findFrom(open, execution, reach, [&](GridIndex at, auto&& offer) {
-      const WindowHalf& half = half_(at);
+      const size_t own = image_.range.offset(at);
+      const WindowHalf& half = half_[own];
       for (const float share : {1.0f, .5f}) {
         for (int s = 0; s < level.count; ++s) {
           const WindowShape& shape = level.shapes[static_cast<size_t>(s)];
           const int lines = static_cast<int>(share * shape.lines * half.lines + 0.5f),
                     beams = static_cast<int>(share * shape.beams * half.beams + 0.5f);
+          const bool inner =
+              at.row >= lines && at.row + lines < rows && at.col >= beams && at.col + beams < cols;
           for (const GridIndex& d : kLatticeDirections) {
-            const GridIndex to{at.row + d.row * lines, at.col + d.col * beams};
-            if (!image_.range.contains(to)) continue;
+            if (!inner && !image_.range.contains({at.row + d.row * lines, at.col + d.col * beams})) continue;
             // Neurons next to a window are still on its surface if their range says so.
-            const OwnWindow window = window_(to);
+            const size_t to = own + static_cast<size_t>(d.row * lines * cols + d.col * beams);
+            const OwnWindow window = window_[to];
             if (window.lines > 0 && lines <= window.lines + 1 && beams <= window.beams + 1) offer(to);
           }
         }
@@ -293,7 +315,7 @@ private:
     findFrom(open, execution, reach, [&](GridIndex at, auto&& offer) {
       for (const GridIndex& d : kLatticeDirections) {
         const GridIndex to{at.row + d.row, at.col + d.col};
-        if (image_.range.contains(to) && isKnown(image_.range.offset(to))) offer(to);
+        if (image_.range.contains(to) && isKnown(image_.range.offset(to))) offer(image_.range.offset(to));
       }
     });
   }
@@ -307,10 +329,10 @@ private:
       const Regression& self;
       Beam own;
       Misfit best{};
-      GridIndex from{-1, -1};
-      void operator()(GridIndex to) {
-        const Misfit m = misfit(own, {self.result_.normals(to), self.result_.distance(to)});
-        if (m < best) best = m, from = to;
+      std::uint32_t from = kNone;
+      void operator()(size_t to) {
+        const Misfit m = misfit(own, {self.result_.normals[to], self.result_.distance[to]});
+        if (m < best) best = m, from = static_cast<std::uint32_t>(to);
       }
     };
     std::vector<std::uint32_t> from(open.size(), kNone);
@@ -324,7 +346,7 @@ private:
         }
         Offer offer{*this, beam(at)};
         ask(at, offer);
-        if (offer.from.row >= 0) found = static_cast<std::uint32_t>(image_.range.offset(offer.from));
+        found = offer.from;
       }
     });
     copyFrom(from, open);

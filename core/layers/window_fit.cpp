@@ -24,30 +24,34 @@ LatticeWindow around(GridIndex at, float halfLines, float halfBeams, const Windo
 
 WindowHalf WindowRule::largestHalf(GridIndex at) const {
   const LatticeSteps::Step step = image.steps.at(at);
-  const double r = image.range(at);
-  return {largestHalf(at, {1, 0}, r * step.line), largestHalf(at, {0, 1}, r * step.beam)};
+  const float r = image.range(at);
+  const int lines = image.range.rows(), beams = image.range.cols();
+  return {largestHalf(at, beams, {at.row, lines - 1 - at.row}, r * step.line),
+          largestHalf(at, 1, {at.col, beams - 1 - at.col}, r * step.beam)};
 }
 
 // Half-size, in neurons, of a window reaching ε1 along a lattice direction: from the angular step, and from
 // the spacing of the neurons themselves where the surface is oblique. That is measured at ε2, near enough
 // to stay on narrow surfaces, then at ε1 (the nearer side decides, the other may lie across a jump).
 // Continuous.
-float WindowRule::largestHalf(GridIndex at, GridIndex direction, double spacing) const {
-  double half = std::min<double>(kMostHalf, params.epsilon1 / std::max(spacing, 1e-9));
-  for (const double share : {params.epsilon2 / params.epsilon1, 1.0}) {
+float WindowRule::largestHalf(GridIndex at, int stride, Room room, float spacing) const {
+  const auto epsilon1 = static_cast<float>(params.epsilon1);
+  const Eigen::Vector3f* const middle = &image.points(at);
+  float half = std::min(static_cast<float>(kMostHalf), epsilon1 / std::max(spacing, 1e-9f));
+  for (const float share : {static_cast<float>(params.epsilon2 / params.epsilon1), 1.0f}) {
     const int h = static_cast<int>(share * half);
     if (h < 1) continue;
     float squared = std::numeric_limits<float>::infinity();
-    for (int sign : {-1, 1}) {
-      const GridIndex end{at.row + sign * h * direction.row, at.col + sign * h * direction.col};
-      if (!image.points.contains(end)) continue;
-      const float s = (image.points(end) - image.points(at)).squaredNorm();
-      if (s < squared) squared = s;
-    }
-    const double distance = std::sqrt(static_cast<double>(squared)), wanted = h * params.epsilon1 / half;
-    if (std::isfinite(distance) && distance > wanted) half *= wanted / distance;
+    const auto measure = [&](int offset) {
+      const float s = (middle[offset] - *middle).squaredNorm();
+      squared = s < squared ? s : squared;  // not for NaN
+    };
+    if (h <= room.before) measure(-h * stride);
+    if (h <= room.after) measure(h * stride);
+    if (squared <= std::numeric_limits<float>::max())
+      half = std::min(half, static_cast<float>(h) * epsilon1 / std::sqrt(squared));
   }
-  return static_cast<float>(half);
+  return half;
 }
 
 std::optional<WindowFit> WindowRule::fit(GridIndex at, const WindowHalf& largest, WindowShape shape,
@@ -68,24 +72,28 @@ std::optional<WindowFit> WindowRule::fit(GridIndex at, const WindowHalf& largest
     members -= hole.area();
   }
   if (s.n < 8 || s.n < 0.3 * members) return std::nullopt;
-  WindowFit fit;
-  fit.plane = fitRangePlane(s);
-  if (!fit.plane.valid) return std::nullopt;
+  const RangePlaneSolution solution = solveRangePlane(s);
+  if (!solution.solved) return std::nullopt;
 
-  // Residuals are range errors over the range.
-  const Eigen::Vector3d mean = Eigen::Vector3d(s.x, s.y, s.z) / s.n;
-  const double r = mean.norm(), cosine = fit.plane.fromSensor / r;
-  // The noise where the window stands, not that of a distance between two surfaces in it.
-  const double variance = image.noise.varianceAt(image.range(at)),
-               expected = RangeNoise::withRoughness(variance, cosine) / (r * r);
+  // Residuals are range errors over the range, so the noise explains (σ² + roughness²) / r². That of where
+  // the window stands, not of a distance between two surfaces in it. Most windows end here, hence squares:
+  // 1 / (|N| r) is the cosine of RangeNoise::withRoughness.
+  const double variance = image.noise.varianceAt(image.range(at));
+  const double r2 = Eigen::Vector3d(s.x, s.y, s.z).squaredNorm() / (s.n * s.n);
+  const double explained = variance + RangeNoise::kRoughness * RangeNoise::kRoughness *
+                                          std::min(1 / (RangeNoise::kLeastCosine * RangeNoise::kLeastCosine),
+                                                   solution.n.squaredNorm() * r2);
   const double freedom = s.n - 3;
   const double allowed = kVarianceMargin * (1 + 3 * std::sqrt(2 / freedom));  // 3 standard deviations of χ²
-  fit.disagreement = fit.plane.residual / freedom / (expected * allowed);
-  if (fit.disagreement < 1)
-    fit.disagreement = std::max(fit.disagreement, structure(window, fit.plane, r, cosine, variance, sums));
-  if (!(fit.disagreement < 1)) return std::nullopt;
-  fit.local = {fit.plane.unit.cast<float>(), static_cast<float>(fit.plane.fromSensor)};
-  return fit;
+  const double disagreement = solution.residual * r2 / (freedom * explained * allowed);
+  if (!(disagreement < 1)) return std::nullopt;
+  const RangePlane plane = planeOf(solution);
+  if (!plane.valid) return std::nullopt;
+  const double r = std::sqrt(r2);
+  const double pattern = structure(window, plane, r, plane.fromSensor / r, variance, sums);
+  if (!(pattern < 1)) return std::nullopt;
+  return WindowFit{{plane.unit.cast<float>(), static_cast<float>(plane.fromSensor)},
+                   std::max(disagreement, pattern)};
 }
 
 // Noise leaves no pattern; a crease or a bend does. Mean residuals of 3 × 3 parts of the window against
@@ -96,7 +104,7 @@ double WindowRule::structure(const LatticeWindow& window, const RangePlane& plan
   const int lines = window.bottom - window.top + 1, beams = window.right - window.left + 1;
   const int lineParts = std::min(3, lines / 2), beamParts = std::min(3, beams / 2);
   if (lineParts * beamParts <= 3) return 0;
-  const double rough = RangeNoise::kRoughness / std::max(0.05, cosine);
+  const double rough = RangeNoise::kRoughness / std::max(RangeNoise::kLeastCosine, cosine);
   std::array<std::array<WindowSums::Means, 4>, 4> corner;
   for (int a = 0; a <= lineParts; ++a)
     for (int b = 0; b <= beamParts; ++b)

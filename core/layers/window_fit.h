@@ -26,7 +26,6 @@ struct LocalPlane {
 };
 
 struct WindowFit {
-  RangePlane plane;
   LocalPlane local;
   double disagreement = 0;  ///< residual over the largest the noise explains; below 1 = agrees
 };
@@ -45,7 +44,11 @@ struct WindowRule {
                                const WindowSums& sums) const;
 
 private:
-  float largestHalf(GridIndex at, GridIndex direction, double spacing) const;
+  /// Neurons to either side of one, before the lattice ends.
+  struct Room {
+    int before, after;
+  };
+  float largestHalf(GridIndex at, int stride, Room room, float spacing) const;
   double structure(const LatticeWindow& window, const RangePlane& plane, double r, double cosine,
                    double variance, const WindowSums& sums) const;
 };

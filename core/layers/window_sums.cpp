@@ -50,17 +50,4 @@ void WindowSums::build(const PointImage& image, int firstLine, int endLine, cons
       kColumns);
 }
 
-RangePlaneSums WindowSums::over(const LatticeWindow& window) const {
-  RangePlaneSums f;
-  if (window.empty()) return f;
-  const Entry &a = at(window.top, window.left), &b = at(window.top, window.right + 1),
-              &c = at(window.bottom + 1, window.left), &d = at(window.bottom + 1, window.right + 1);
-  Entry s;
-  for (size_t t = 0; t < kTerms; ++t) s[t] = (d[t] - b[t]) - (c[t] - a[t]);
-  f.xx = s[0], f.xy = s[1], f.xz = s[2], f.yy = s[3], f.yz = s[4], f.zz = s[5], f.x = s[6], f.y = s[7],
-  f.z = s[8];
-  f.w = f.n = s[9];
-  return f;
-}
-
 }  // namespace stratascope

@@ -28,7 +28,14 @@ public:
   /// Lines [firstLine, endLine) of the image. Reuses its memory.
   void build(const PointImage& image, int firstLine, int endLine, const Execution& execution = {});
   /// Of a window that lies within those lines.
-  RangePlaneSums over(const LatticeWindow& window) const;
+  RangePlaneSums over(const LatticeWindow& window) const {
+    if (window.empty()) return {};
+    const Entry &a = at(window.top, window.left), &b = at(window.top, window.right + 1),
+                &c = at(window.bottom + 1, window.left), &d = at(window.bottom + 1, window.right + 1);
+    Entry s;
+    for (size_t t = 0; t < kTerms; ++t) s[t] = (d[t] - b[t]) - (c[t] - a[t]);
+    return {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[9]};
+  }
   struct Means {
     Eigen::Vector3d sum;
     double n;
