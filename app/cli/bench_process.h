@@ -10,8 +10,8 @@
 
 namespace stratascope::cli {
 
-/// In this process, which should do nothing else: reads a scan, runs the pipeline, and prints as JSON what
-/// costOfProcess reads.
+/// In this process, which should do nothing else: reads a scan, runs the pipeline once and then `runs` times,
+/// and prints as JSON what costOfProcess reads.
 Status printCost(const std::string& file, const Settings& settings, const Execution& execution, int runs);
 
 /// Time and peak memory of a process of this program that reads the scan from a file and runs the pipeline.

@@ -17,6 +17,7 @@ namespace {
 constexpr size_t kEnough = 200;      // second differences for a median good to a few per cent
 constexpr float kSameValue = 1e-5f;  // relative: what float arithmetic leaves between equal values
 constexpr size_t kAsked = 50000;     // of the whole scan: good to one per cent
+constexpr size_t kAskedForSteps = 20000;
 // Of one distance, in the order of the lines: good to three per cent, and known long before a scan is
 // complete, so that its last lines do not change what the first ones gave.
 constexpr size_t kAskedOfADistance = 200000;
@@ -134,7 +135,8 @@ RangeNoise estimateRangeNoise(const PointImage& image, const Grid<Eigen::Vector3
   const double toSigma = 1.0 / (0.6745 * std::sqrt(6.0));
   noise.overall_ = all.size() < 16 ? kNaN : toSigma * medianOf(all);
   const double fallback = std::isnan(noise.overall_) ? 0.005 : noise.overall_;
-  const std::vector<Steps> steps = stepsOf(range, measured, stride);
+  const std::vector<Steps> steps =
+      stepsOf(range, measured, std::max(1, static_cast<int>(range.size() / kAskedForSteps)));
   // Geometric middle of a bin of half an octave, see binOf.
   const auto middleOf = [](size_t bin) { return std::exp2((static_cast<double>(bin) + 0.5) / 2 - 2); };
   std::array<double, RangeNoise::kBins> sigma;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,7 +26,7 @@ constexpr int kShareCentred = 2;     // and the smaller ones
 constexpr double kCloseShare = 0.4;  // of ε1: how far from its window's middle a neuron may lie
 constexpr double kSameHalf = 0.35;   // of ε2: neurons as near as that have windows of one size,
 constexpr double kSameWindow = 0.5;  // and as near as that may share smaller ones
-constexpr int kBandLines = 2048;     // lines that share one summed-area table
+constexpr int kBandLines = 4096;     // lines that share one summed-area table
 
 /// Shapes of about the same lever arm: of those that agree with the noise, the best is taken.
 struct Level {
@@ -77,7 +78,7 @@ public:
   void run(const Execution& execution) {
     shareLargest(execution);
     endStep();
-    std::vector<std::uint32_t> open = openNeurons();
+    std::vector<std::uint32_t> open = openNeurons(execution);
     takeOver(kLevels[0], open, execution);
     for (size_t level = 1; level < kLevels.size() && !open.empty(); ++level) {
       centred(kLevels[level], open, execution);
@@ -112,7 +113,8 @@ private:
     result_.reach[o] = before_->reach[o];
     window_[o] = before_->memory->window[o];
     gotNormalIn_[o] = step_;
-    ++recalled_[o / static_cast<size_t>(image_.range.cols())];
+    std::atomic_ref(recalled_[o / static_cast<size_t>(image_.range.cols())])
+        .fetch_add(1, std::memory_order_relaxed);
   }
 
   /// After a neuron was looked at anew: is it as it was after this step?
@@ -199,18 +201,27 @@ private:
   }
 
   // Neurons without a normal; those whose neighbours lie beyond ε1 never get one.
-  std::vector<std::uint32_t> openNeurons() const {
+  std::vector<std::uint32_t> openNeurons(const Execution& execution) const {
+    constexpr int kLines = 32;
+    const int lines = image_.range.rows();
+    std::vector<std::vector<std::uint32_t>> parts(static_cast<size_t>((lines + kLines - 1) / kLines));
+    parallelRows(
+        lines, execution,
+        [&](int begin, int end) {
+          std::vector<std::uint32_t>& part = parts[static_cast<size_t>(begin / kLines)];
+          for (size_t o = image_.range.offset({begin, 0}); o < image_.range.offset({end, 0}); ++o)
+            if (image_.range[o] == image_.range[o] && !isKnown(o) && half_[o].lines >= 0.5f &&
+                half_[o].beams >= 0.5f)
+              part.push_back(static_cast<std::uint32_t>(o));
+        },
+        kLines);
     std::vector<std::uint32_t> open;
-    for (size_t o = 0; o < image_.range.size(); ++o)
-      if (image_.range[o] == image_.range[o] && !isKnown(o) && half_[o].lines >= 0.5f &&
-          half_[o].beams >= 0.5f)
-        open.push_back(static_cast<std::uint32_t>(o));
+    for (const auto& part : parts) open.insert(open.end(), part.begin(), part.end());
     return open;
   }
   bool isKnown(size_t o) const { return result_.distance[o] == result_.distance[o]; }
   void dropKnown(std::vector<std::uint32_t>& open) const {
-    open.erase(std::remove_if(open.begin(), open.end(), [&](std::uint32_t o) { return isKnown(o); }),
-               open.end());
+    std::erase_if(open, [&](std::uint32_t o) { return isKnown(o); });
   }
 
   bool isWithin(double shareOfEpsilon2, size_t o, GridIndex of) const {
@@ -349,24 +360,28 @@ private:
         found = offer.from;
       }
     });
-    copyFrom(from, open);
+    copyFrom(from, open, execution);
   }
 
-  void copyFrom(const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& open) {
-    for (size_t k = 0; k < open.size(); ++k) {
-      const std::uint32_t o = open[k];
-      if (from[k] == kAsBefore) {
-        recall(o);
-        continue;
+  // Open neurons copy from neurons that are not.
+  void copyFrom(const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& open,
+                const Execution& execution) {
+    eachChunk(open, execution, [&](std::span<const std::uint32_t> neurons) {
+      for (const std::uint32_t& at : neurons) {
+        const std::uint32_t o = at, source = from[static_cast<size_t>(&at - open.data())];
+        if (source == kAsBefore) {
+          recall(o);
+          continue;
+        }
+        if (source != kNone) {
+          result_.normals[o] = result_.normals[source];
+          result_.distance[o] = result_.distance[source];
+          result_.reach[o] = result_.reach[source];
+          gotNormalIn_[o] = step_;
+        }
+        compare(o);
       }
-      if (from[k] != kNone) {
-        result_.normals[o] = result_.normals[from[k]];
-        result_.distance[o] = result_.distance[from[k]];
-        result_.reach[o] = result_.reach[from[k]];
-        gotNormalIn_[o] = step_;
-      }
-      compare(o);
-    }
+    });
     endStep();
     dropKnown(open);
   }
@@ -435,7 +450,7 @@ private:
   Grid<OwnWindow>& window_ = memory_->window;
   Grid<std::uint8_t>& gotNormalIn_ = memory_->step;
   std::uint8_t step_ = 0;
-  std::vector<size_t> recalled_;         // neurons a line; no two threads look at the same line
+  std::vector<size_t> recalled_;         // neurons a line: threads seldom count in the same place
   const NormalImage* before_ = nullptr;  // an earlier run, and what is as it was then
   std::optional<Unchanged> unchanged_;
   const WindowRule rule_{image_, params_};

@@ -16,7 +16,7 @@ constexpr int kPatchesOfPart = 256;
 
 void PatchGraph::Patch::fit() {
   plane = fitRangePlane(sums.measured);
-  residual = fitRangePlane(sums.local).residual;
+  residual = solveRangePlane(sums.local).residual;
 }
 
 PatchGraph::PatchGraph(const std::vector<PatchSums>& sums, const Execution& execution)
@@ -58,12 +58,12 @@ PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   const double smaller = std::min(pa.sums.measured.n, pb.sums.measured.n);
   RangePlaneSums joint = pa.sums.local;
   joint += pb.sums.local;
-  const double disagreement = std::max(0.0, fitRangePlane(joint).residual - pa.residual - pb.residual);
+  const double disagreement = std::max(0.0, solveRangePlane(joint).residual - pa.residual - pb.residual);
   if (disagreement > rules.disagreement * smaller + slack) return {0, false};
   joint = pa.sums.measured;
   joint += pb.sums.measured;
-  const RangePlane plane = fitRangePlane(joint);
-  if (!plane.valid) return {0, false};
+  const RangePlaneSolution plane = solveRangePlane(joint);
+  if (!plane.solved) return {0, false};
   const double growth = std::max(0.0, plane.residual - pa.plane.residual - pb.plane.residual);
   // A region without a normal among its neurons has nothing to say: it follows a neighbour.
   return {smaller > 0 ? disagreement / smaller : 0.0, growth <= rules.chiSquare + slack};
@@ -138,6 +138,56 @@ void PatchGraph::join(int a, int b, std::vector<int>& added) {
   for (const int c : added) {
     keep.neighbours.push_back(c);
     patches_[static_cast<size_t>(c)].neighbours.push_back(a);
+  }
+}
+
+bool PatchGraph::joinFour(const std::array<std::int32_t, 4>& four, const Rules& rules) {
+  PatchSums joint;
+  for (const std::int32_t p : four) joint += patches_[static_cast<size_t>(p)].sums;
+  double smallest = joint.measured.n, local = 0, measured = 0;
+  for (const std::int32_t p : four) {
+    const Patch& patch = patches_[static_cast<size_t>(p)];
+    const double norms = std::sqrt(patch.sums.normal.squaredNorm() * joint.normal.squaredNorm());
+    if (patch.sums.normal.dot(joint.normal) < rules.cosLargestAngle * norms) return false;
+    smallest = std::min(smallest, patch.sums.measured.n);
+    local += patch.residual, measured += patch.plane.residual;
+  }
+  if (solveRangePlane(joint.local).residual - local > rules.disagreement * smallest) return false;
+  const RangePlaneSolution plane = solveRangePlane(joint.measured);
+  if (!plane.solved || plane.residual - measured > rules.chiSquare) return false;
+  Patch& keep = patches_[static_cast<size_t>(four[0])];
+  keep.sums = joint;
+  keep.fit();
+  for (const std::int32_t p : std::span(four).subspan(1)) {
+    Patch& gone = patches_[static_cast<size_t>(p)];
+    keep.neighbours.insert(keep.neighbours.end(), gone.neighbours.begin(), gone.neighbours.end());
+    gone.neighbours = {};
+    parent_[static_cast<size_t>(p)] = four[0];
+  }
+  return true;
+}
+
+void PatchGraph::joinFours(const Grid<std::int32_t>& lattice, const Rules& rules,
+                           const Execution& execution) {
+  constexpr int kRows = 4;
+  Grid<std::int32_t> below = lattice;
+  for (bool joined = true; joined;) {
+    Grid<std::int32_t> level(below.rows() / 2, below.cols() / 2, kNoRegion);
+    parallelRows(
+        level.rows(), execution,
+        [&](int begin, int end) {
+          for (int r = begin; r < end; ++r)
+            for (int c = 0; c < level.cols(); ++c) {
+              const std::array<std::int32_t, 4> four = {below({2 * r, 2 * c}), below({2 * r, 2 * c + 1}),
+                                                        below({2 * r + 1, 2 * c}),
+                                                        below({2 * r + 1, 2 * c + 1})};
+              const bool whole = std::ranges::find(four, kNoRegion) == four.end();
+              if (whole && joinFour(four, rules)) level({r, c}) = four[0];
+            }
+        },
+        kRows);
+    joined = std::ranges::any_of(level.values(), [](std::int32_t patch) { return patch != kNoRegion; });
+    below = std::move(level);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -47,6 +48,10 @@ public:
   size_t size() const { return patches_.size(); }
   /// Tells which patches touch. Order and repetition do not matter.
   void connect(std::span<const LabelPair> pairs);
+  /// Joins patches four at a time, those around one corner of a lattice of them, then four of those four, and
+  /// so on, wherever the rules allow it without slack: most of a large surface, before any are weighed in
+  /// pairs. kNoRegion in a place of the lattice: nothing joins there. Indices must ascend row by row.
+  void joinFours(const Grid<std::int32_t>& lattice, const Rules& rules, const Execution& execution);
   void joinAll(const Rules& rules, const Execution& execution);
 
   /// The patch that stands for all joined with this one: the smallest index among them.
@@ -72,6 +77,7 @@ private:
   /// All pairs of touching roots that may join, weighed.
   std::vector<Entry> weighAll(const Rules& rules, const Execution& execution);
   int root(int patch);  // find(), and shortens the way
+  bool joinFour(const std::array<std::int32_t, 4>& four, const Rules& rules);
   bool touch(int a, int b);
   void join(int a, int b, std::vector<int>& added);
 

@@ -25,6 +25,8 @@ public:
 
   /// Pairs of patches one or two neurons apart along lines and beams, in no order, some more than once.
   std::vector<LabelPair> touchingPatches(const Execution& execution) const;
+  /// The patch of each block that is one patch whole, kNoRegion of the others.
+  const Grid<std::int32_t>& wholePatch() const { return wholePatch_; }
 
   /// Sums and sizes of regions made of the same neurons: whole blocks at once where all of a block is one
   /// region. Only neurons with a normal enter the sums; the sizes count all.

@@ -154,7 +154,7 @@ public:
     settleAndJoin(toCreases);
     giveUpSmall();
     // To the end, and anew: creases show better once borders and planes have come nearer to them.
-    constexpr int kRounds = 3;
+    constexpr int kRounds = 2;
     for (int round = 0; round < kRounds; ++round)
       if (!settleAndJoin(regions_.region.rows() + regions_.region.cols())) break;
     dropCurved();
@@ -174,6 +174,7 @@ private:
   void joinPatches() {
     PatchGraph graph(patches_.sums(), execution_);
     graph.connect(patches_.touchingPatches(execution_));
+    graph.joinFours(patches_.wholePatch(), rules_, execution_);
     graph.joinAll(rules_, execution_);
     const double leastSeed = std::max(12.0, 0.4 * neurons_.params.minPlanePoints);
     std::vector<std::int32_t> regionOf(graph.size(), kNoRegion);
