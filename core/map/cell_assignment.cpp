@@ -31,20 +31,23 @@ float fromRisingBits(std::uint32_t bits) {
 class SortByHeight {
 public:
   void operator()(std::span<std::uint64_t> keys) {
-    constexpr size_t kMany = 64;
-    if (keys.size() < kMany) return std::sort(keys.begin(), keys.end());
-    std::uint64_t lowest = keys[0], highest = lowest;
-    for (const std::uint64_t key : keys) lowest = std::min(lowest, key), highest = std::max(highest, key);
-    const double least = heightOf(lowest),
-                 slices = static_cast<double>(keys.size()) / (heightOf(highest) - least + 1);
-    const auto sliceOf = [&](std::uint64_t key) {
-      return static_cast<size_t>((heightOf(key) - least) * slices);
-    };
+    constexpr size_t kMany = 48;
+    if (keys.size() < kMany) return sortFew(keys);
+    std::uint32_t least = heightOf(keys[0]), most = least;
+    for (const std::uint64_t key : keys) {
+      least = std::min(least, heightOf(key));
+      most = std::max(most, heightOf(key));
+    }
+    const std::uint64_t slices = (std::uint64_t{keys.size()} << 32) / (std::uint64_t{most - least} + 1);
+    sliceOf_.resize(keys.size());
     end_.assign(keys.size() + 1, 0);
-    for (const std::uint64_t key : keys) ++end_[sliceOf(key) + 1];
+    for (size_t k = 0; k < keys.size(); ++k) {
+      sliceOf_[k] = static_cast<std::uint32_t>((heightOf(keys[k]) - least) * slices >> 32);
+      ++end_[sliceOf_[k] + 1];
+    }
     for (size_t s = 1; s < end_.size(); ++s) end_[s] += end_[s - 1];
     dealt_.assign(keys.begin(), keys.end());
-    for (const std::uint64_t key : dealt_) keys[end_[sliceOf(key)]++] = key;
+    for (size_t k = 0; k < dealt_.size(); ++k) keys[end_[sliceOf_[k]]++] = dealt_[k];
     size_t begin = 0;
     for (size_t s = 0; s < keys.size(); begin = end_[s++])
       if (end_[s] - begin > 1) sortFew(keys.subspan(begin, end_[s] - begin));
@@ -60,10 +63,11 @@ private:
       keys[to] = key;
     }
   }
-  static double heightOf(std::uint64_t key) { return static_cast<double>(key >> 32); }  // rises with it
+  static std::uint32_t heightOf(std::uint64_t key) { return static_cast<std::uint32_t>(key >> 32); }
 
   std::vector<std::uint64_t> dealt_;
-  std::vector<std::uint32_t> end_;  // of each slice
+  std::vector<std::uint32_t> sliceOf_;  // each of them
+  std::vector<std::uint32_t> end_;      // of each slice
 };
 
 std::string number(double value, int digits) {
