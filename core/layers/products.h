@@ -10,6 +10,7 @@
 
 #include "base/grid.h"
 #include "base/ids.h"
+#include "base/plan_bounds.h"
 #include "layers/lattice_steps.h"
 #include "layers/range_noise.h"
 
@@ -25,6 +26,7 @@ struct PointImage {
   Eigen::Vector3d sensor;        ///< where the sensor stood, map frame
   Eigen::Vector3d
       viewing;         ///< unit, horizontal: the sensor's forward direction; classes are measured against it
+  PlanBounds bounds;   ///< of the points
   size_t ownBody = 0;  ///< returns taken out as the robot itself or by the range limits
   RangeNoise noise;    ///< the scan's own range noise, estimated from these ranges
   LatticeSteps steps;  ///< angles between the lattice's beams, measured from these points

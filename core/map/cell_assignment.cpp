@@ -26,8 +26,8 @@ float fromRisingBits(std::uint32_t bits) {
   return std::bit_cast<float>((bits & 0x80000000u) ? bits & 0x7fffffffu : ~bits);
 }
 
-/// Ascending keys. Heights of a cell spread over it: many are dealt out into as many equal slices first, and
-/// hardly anything is left to sort in each.
+/// Ascending keys. Heights of a cell spread over it: many are dealt out into equal slices first, and few are
+/// left to sort in each.
 class SortByHeight {
 public:
   void operator()(std::span<std::uint64_t> keys) {
@@ -38,19 +38,20 @@ public:
       least = std::min(least, heightOf(key));
       most = std::max(most, heightOf(key));
     }
-    const std::uint64_t slices = (std::uint64_t{keys.size()} << 32) / (std::uint64_t{most - least} + 1);
+    constexpr size_t kOfSlice = 4;
+    const size_t slices = keys.size() / kOfSlice;
+    const std::uint64_t scale = (std::uint64_t{slices} << 32) / (std::uint64_t{most - least} + 1);
     sliceOf_.resize(keys.size());
-    end_.assign(keys.size() + 1, 0);
+    end_.assign(slices + 1, 0);
     for (size_t k = 0; k < keys.size(); ++k) {
-      sliceOf_[k] = static_cast<std::uint32_t>((heightOf(keys[k]) - least) * slices >> 32);
+      sliceOf_[k] = static_cast<std::uint32_t>((heightOf(keys[k]) - least) * scale >> 32);
       ++end_[sliceOf_[k] + 1];
     }
     for (size_t s = 1; s < end_.size(); ++s) end_[s] += end_[s - 1];
     dealt_.assign(keys.begin(), keys.end());
     for (size_t k = 0; k < dealt_.size(); ++k) keys[end_[sliceOf_[k]]++] = dealt_[k];
     size_t begin = 0;
-    for (size_t s = 0; s < keys.size(); begin = end_[s++])
-      if (end_[s] - begin > 1) sortFew(keys.subspan(begin, end_[s] - begin));
+    for (size_t s = 0; s < slices; begin = end_[s++]) sortFew(keys.subspan(begin, end_[s] - begin));
   }
 
 private:
@@ -90,26 +91,6 @@ double cellThatFits(double width, double depth) {
   return 1e40;
 }
 
-/// False for a missing point: 0 · NaN and 0 · ∞ are no 0.
-bool isFinite(const Eigen::Vector3f& p) {
-  return 0 * p.x() + 0 * p.y() + 0 * p.z() == 0;
-}
-
-struct Bounds {
-  float minX = std::numeric_limits<float>::infinity(), maxX = -minX, minY = minX, maxY = -minX;
-  size_t count = 0;  // of points
-  void add(const Eigen::Vector3f& p) {
-    minX = std::min(minX, p.x()), maxX = std::max(maxX, p.x());
-    minY = std::min(minY, p.y()), maxY = std::max(maxY, p.y());
-    ++count;
-  }
-  void add(const Bounds& b) {
-    minX = std::min(minX, b.minX), maxX = std::max(maxX, b.maxX);
-    minY = std::min(minY, b.minY), maxY = std::max(maxY, b.maxY);
-    count += b.count;
-  }
-};
-
 /// Some points of an input, and the number of the first.
 struct Part {
   std::span<const Eigen::Vector3f> points;
@@ -139,7 +120,22 @@ void eachPart(const std::vector<Part>& parts, const Execution& execution, const 
       1);
 }
 
-Expected<MapFrame> windowOf(const Bounds& b, double cell) {
+PlanBounds boundsOf(std::span<const MapInput> inputs, const Execution& execution) {
+  PlanBounds all;
+  for (const MapInput& input : inputs) {
+    if (input.bounds) {
+      all.add(*input.bounds);
+      continue;
+    }
+    const std::vector<Part> parts = partsOf({&input, 1});
+    std::vector<PlanBounds> ofPart(parts.size());
+    eachPart(parts, execution, [&](const Part& part, size_t index) { ofPart[index].add(part.points); });
+    for (const PlanBounds& bounds : ofPart) all.add(bounds);
+  }
+  return all;
+}
+
+Expected<MapFrame> windowOf(const PlanBounds& b, double cell) {
   // in double: coordinates may lie beyond what a cell number can hold
   const double kMin = std::floor(b.minX / cell), kMax = std::floor(b.maxX / cell);
   const double lMin = std::floor(b.minY / cell), lMax = std::floor(b.maxY / cell);
@@ -174,15 +170,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
     return Error{"", "map", "more than 4294967294 points", "process the scans in parts and merge their maps"};
 
   const std::vector<Part> parts = partsOf(inputs);
-  std::vector<Bounds> boundsOf(parts.size());
-  eachPart(parts, execution, [&](const Part& part, size_t index) {
-    Bounds bounds;
-    for (const Eigen::Vector3f& p : part.points)
-      if (isFinite(p)) bounds.add(p);
-    boundsOf[index] = bounds;
-  });
-  Bounds bounds;
-  for (const Bounds& b : boundsOf) bounds.add(b);
+  const PlanBounds bounds = boundsOf(inputs, execution);
   if (bounds.count == 0) return Error{"", "map", "no valid point", "check the scan and the range limits"};
 
   CellAssignment result;
@@ -192,7 +180,7 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
   PooledVector<std::uint32_t> cellOf(total);
   eachPart(parts, execution, [&](const Part& part, size_t) {
     for (size_t k = 0; k < part.points.size(); ++k)
-      if (const Eigen::Vector3f& p = part.points[k]; isFinite(p))
+      if (const Eigen::Vector3f& p = part.points[k]; PlanBounds::isFinite(p))
         cellOf[part.first + k] =
             static_cast<std::uint32_t>(frame.offset(frame.cellAt(p.x(), p.y())));  // Eq. (4)
       else

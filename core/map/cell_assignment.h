@@ -5,12 +5,14 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/expected.h"
 #include "base/ids.h"
 #include "base/parallel_rows.h"
+#include "base/plan_bounds.h"
 #include "base/pooled_vector.h"
 #include "map/map_frame.h"
 #include "params/pipeline_params.h"
@@ -21,7 +23,8 @@ namespace stratascope {
 /// plane label for each.
 struct MapInput {
   std::span<const Eigen::Vector3f> points;
-  std::span<const PlaneLabel> labels;  ///< empty, or as long as points
+  std::span<const PlaneLabel> labels;     ///< empty, or as long as points
+  std::optional<PlanBounds> bounds = {};  ///< of the points, where they are known already
 };
 
 /// Largest dense window of cells a map may have; a larger one is an error that names a cell size that fits.

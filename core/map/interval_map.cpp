@@ -20,6 +20,7 @@ double gap(float lower, float upper) {
 void linkHeights(std::span<const float> heights, double epsilon, std::vector<HeightInterval>& records) {
   for (size_t begin = 0; begin < heights.size();) {
     size_t end = begin + 1;
+    if (gap(heights[begin], heights.back()) < epsilon) end = heights.size();  // so is most of the floor
     while (end < heights.size() && gap(heights[end - 1], heights[end]) < epsilon) ++end;
     records.push_back({heights[begin], heights[end - 1], static_cast<std::uint32_t>(end - begin)});
     begin = end;
@@ -78,6 +79,7 @@ IntervalMap buildIntervalMap(const CellAssignment& cells, const IntervalParams& 
       columns, execution,
       [&](int begin, int end) {
         std::vector<HeightInterval>& part = parts[static_cast<size_t>(begin / kChunkColumns)];
+        part.reserve(static_cast<size_t>(end - begin) * rows);
         std::vector<std::pair<std::uint32_t, float>> order;
         for (size_t o = static_cast<size_t>(begin) * rows; o < static_cast<size_t>(end) * rows; ++o) {
           const size_t from = cells.first[o], count = cells.first[o + 1] - from, before = part.size();

@@ -115,7 +115,7 @@ struct Pipeline::State {
       if (c.products.cloud)
         inputs.push_back({*c.products.cloud, {}});
       else
-        inputs.push_back({c.products.points->points.values(), {}});
+        inputs.push_back({c.products.points->points.values(), {}, c.products.points->bounds});
     }
     return inputs;
   }
