@@ -11,6 +11,8 @@ namespace stratascope {
 namespace {
 
 constexpr int kPatchesOfPart = 256;
+// Of the disagreement that the rules allow a pair: four patches that disagree less are surely of one plane.
+constexpr double kSurely = 0.05;
 
 }  // namespace
 
@@ -152,7 +154,7 @@ bool PatchGraph::joinFour(const std::array<std::int32_t, 4>& four, const Rules& 
     smallest = std::min(smallest, patch.sums.measured.n);
     local += patch.residual, measured += patch.plane.residual;
   }
-  if (solveRangePlane(joint.local).residual - local > rules.disagreement * smallest) return false;
+  if (solveRangePlane(joint.local).residual - local > kSurely * rules.disagreement * smallest) return false;
   const RangePlaneSolution plane = solveRangePlane(joint.measured);
   if (!plane.solved || plane.residual - measured > rules.chiSquare) return false;
   Patch& keep = patches_[static_cast<size_t>(four[0])];
