@@ -285,8 +285,7 @@ private:
     }
   }
   bool follows(GridIndex at, GridIndex leader) const {
-    constexpr float kLarge =
-        6;  // one neuron more or less makes little difference to a window of this half-size
+    constexpr float kLarge = 6;  // half-size of a window to which one neuron makes little difference
     if (leader.row < 0 || leader.row / kShareCentred != at.row / kShareCentred) return false;
     return half_(leader).lines >= kLarge && half_(leader).beams >= kLarge &&
            isWithin(kSameWindow, image_.range.offset(at), leader);

@@ -106,6 +106,40 @@ TEST(CellAssignment, DividesAsTheDefinitionSays) {
   EXPECT_EQ(cells.source, (PooledVector<std::uint32_t>{1, 0}));
 }
 
+TEST(CellAssignment, KnownBoundsChangeNothing) {
+  const Points points{{3, 1, 0.5f}, {kNaNf, 0, 0}, {-2, 4, 1}, {0, 0, INFINITY}, {1, -3, 2}, {1, -3, 1}};
+  PlanBounds bounds;
+  bounds.add(points);
+  EXPECT_EQ(bounds.count, 4u);
+  const MapInput asked{points, {}}, told{points, {}, bounds};
+  const auto a = assignCells({&asked, 1}, {}), b = assignCells({&told, 1}, {});
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->frame, b->frame);
+  EXPECT_EQ(a->first, b->first);
+  EXPECT_EQ(a->heights, b->heights);
+  EXPECT_EQ(a->source, b->source);
+}
+
+// As few and as many as each way of sorting takes, with heights that come twice and all in one place.
+TEST(CellAssignment, HeightsOfOneCellAscendHoweverMany) {
+  std::mt19937 random(3);
+  for (const int count : {1, 2, 16, 17, 47, 48, 49, 300, 5000})
+    for (const int spread : {1, 30, 100000}) {
+      Points points;
+      for (int k = 0; k < count; ++k)
+        points.push_back({0.01f, 0.01f, static_cast<float>(random() % static_cast<unsigned>(spread)) - 50});
+      points.push_back({0.01f, 0.01f, 1e6f});
+      const CellAssignment cells = cellsOf(points);
+      std::vector<std::pair<float, std::uint32_t>> expected, found;
+      for (size_t k = 0; k < points.size(); ++k) {
+        expected.emplace_back(points[k].z(), k);
+        found.emplace_back(cells.heights[k], cells.source[k]);
+      }
+      std::sort(expected.begin(), expected.end());
+      EXPECT_EQ(found, expected) << count << " of " << spread;
+    }
+}
+
 TEST(CellAssignment, WithoutValidPointIsAnError) {
   const Points none{{kNaNf, 0, 0}, {0, 0, INFINITY}};
   for (const MapInput& input : {MapInput{}, MapInput{none, {}}}) {

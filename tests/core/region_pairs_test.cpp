@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -45,6 +46,55 @@ TEST(RegionPairs, TouchingFindsWhatAWalkOverEveryNeuronFinds) {
     const Grid<std::int32_t> labels = randomLabels(random);
     EXPECT_EQ(touching(labels, 2, false, {}), touchingSlowly(labels, 2, false));
     EXPECT_EQ(touching(labels, 3, true, {}), touchingSlowly(labels, 3, true));
+  }
+}
+
+// Blocks of 4 × 4 points on a plane through (0, 0, −2), or from column `crease` on on one that rises from it.
+std::vector<PatchSums> blocksOf(int rows, int cols, int crease) {
+  std::vector<PatchSums> sums;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < cols; ++c) {
+      PatchSums& block = sums.emplace_back();
+      const Eigen::Vector3d normal = Eigen::Vector3d(c < crease ? 0 : -0.1, 0, 1).normalized();
+      for (int k = 0; k < 16; ++k) {
+        const double x = 0.1 * (4 * c + k % 4), y = 0.1 * (4 * r + k / 4);
+        const Eigen::Vector3d q(x, y, -2 + 0.1 * std::max(0.0, x - 0.4 * crease));
+        block.measured.add(q, 1e6);
+        block.local.add(q, 1e6);
+        block.normal += normal;
+      }
+    }
+  return sums;
+}
+
+TEST(RegionPairs, FoursOfOnePlaneJoinAndThoseAstrideACreaseDoNot) {
+  constexpr int kRows = 8, kCols = 8;
+  Grid<std::int32_t> lattice(kRows, kCols);
+  std::iota(lattice.values().begin(), lattice.values().end(), 0);
+  PatchGraph::Rules rules;
+  rules.chiSquare = 20, rules.disagreement = 0.15, rules.cosLargestAngle = 0.9;
+  for (const int threads : {1, 2}) {
+    const Execution execution{threads};
+    PatchGraph flat(blocksOf(kRows, kCols, kCols), execution);
+    flat.joinFours(lattice, rules, execution);
+    for (int p = 0; p < kRows * kCols; ++p) EXPECT_EQ(flat.find(p), 0);
+    EXPECT_EQ(flat.neurons(0), 16.0 * kRows * kCols);
+
+    // Columns 0 and 1 lie on one side of the crease, 3 and more on the other, of which 2 is in a four with 3.
+    PatchGraph bent(blocksOf(kRows, kCols, 3), execution);
+    bent.joinFours(lattice, rules, execution);
+    EXPECT_EQ(bent.find(9), 0);
+    EXPECT_EQ(bent.find(3), 3);
+    EXPECT_EQ(bent.find(2), 2);
+    EXPECT_EQ(bent.find(13), 4);
+
+    lattice({0, 0}) = kNoRegion;  // and whatever four it would be in
+    PatchGraph without(blocksOf(kRows, kCols, kCols), execution);
+    without.joinFours(lattice, rules, execution);
+    EXPECT_EQ(without.find(0), 0);
+    EXPECT_EQ(without.find(9), 9);
+    EXPECT_EQ(without.find(11), 2);
+    lattice({0, 0}) = 0;
   }
 }
 
