@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "base/gather_rows.h"
 #include "cnn/neighbourhood.h"
 #include "layers/regression_memory.h"
 #include "layers/window_fit.h"
@@ -145,7 +146,6 @@ private:
   }
 
   void shareLargest(GridIndex corner, int endLine, const WindowSums& sums) {
-    const auto close = static_cast<float>(kCloseShare * params_.epsilon1);
     const GridIndex end{std::min(endLine, corner.row + kShare),
                         std::min(image_.range.cols(), corner.col + kShare)};
     if (unaffected(corner, end)) return recall(corner, end);
@@ -154,15 +154,16 @@ private:
     auto visit = [&](GridIndex at) {
       const size_t o = image_.range.offset(at);
       if (!(image_.range[o] > 0)) return;
-      const bool follows =
-          leader.row >= 0 && (image_.points[o] - image_.points(leader)).squaredNorm() < close * close;
+      const bool follows = leader.row >= 0 && isWithin(kCloseShare * params_.epsilon1, o, leader);
       if (!follows) {
         leader = at;
         half_[o] = rule_.largestHalf(at);
         fit = rule_.fit(at, half_[o], {1, 1}, sums);
       }
       const bool fits = fit && misfit(beam(at), fit->local).isNoise();
-      if (follows) half_[o] = fits || isWithin(kSameHalf, o, leader) ? half_(leader) : rule_.largestHalf(at);
+      if (follows)
+        half_[o] =
+            fits || isWithin(kSameHalf * params_.epsilon2, o, leader) ? half_(leader) : rule_.largestHalf(at);
       if (fits) take(at, {1, 1}, fit->local);
     };
     // The middle one first. Whoever is not close to the leader so far leads those after it.
@@ -202,31 +203,24 @@ private:
 
   // Neurons without a normal; those whose neighbours lie beyond ε1 never get one.
   std::vector<std::uint32_t> openNeurons(const Execution& execution) const {
-    constexpr int kLines = 32;
-    const int lines = image_.range.rows();
-    std::vector<std::vector<std::uint32_t>> parts(static_cast<size_t>((lines + kLines - 1) / kLines));
-    parallelRows(
-        lines, execution,
-        [&](int begin, int end) {
-          std::vector<std::uint32_t>& part = parts[static_cast<size_t>(begin / kLines)];
+    return gatherRows<std::uint32_t>(
+        image_.range.rows(), execution,
+        [&](int begin, int end, std::vector<std::uint32_t>& open) {
           for (size_t o = image_.range.offset({begin, 0}); o < image_.range.offset({end, 0}); ++o)
             if (image_.range[o] == image_.range[o] && !isKnown(o) && half_[o].lines >= 0.5f &&
                 half_[o].beams >= 0.5f)
-              part.push_back(static_cast<std::uint32_t>(o));
+              open.push_back(static_cast<std::uint32_t>(o));
         },
-        kLines);
-    std::vector<std::uint32_t> open;
-    for (const auto& part : parts) open.insert(open.end(), part.begin(), part.end());
-    return open;
+        32);
   }
   bool isKnown(size_t o) const { return result_.distance[o] == result_.distance[o]; }
   void dropKnown(std::vector<std::uint32_t>& open) const {
     std::erase_if(open, [&](std::uint32_t o) { return isKnown(o); });
   }
 
-  bool isWithin(double shareOfEpsilon2, size_t o, GridIndex of) const {
-    const auto distance = static_cast<float>(shareOfEpsilon2 * params_.epsilon2);
-    return (image_.points[o] - image_.points(of)).squaredNorm() < distance * distance;
+  bool isWithin(double distance, size_t o, GridIndex of) const {
+    const auto d = static_cast<float>(distance);
+    return (image_.points[o] - image_.points(of)).squaredNorm() < d * d;
   }
 
   // Windows around the neurons themselves; those of a small block share them, as above.
@@ -288,7 +282,7 @@ private:
     constexpr float kLarge = 6;  // half-size of a window to which one neuron makes little difference
     if (leader.row < 0 || leader.row / kShareCentred != at.row / kShareCentred) return false;
     return half_(leader).lines >= kLarge && half_(leader).beams >= kLarge &&
-           isWithin(kSameWindow, image_.range.offset(at), leader);
+           isWithin(kSameWindow * params_.epsilon2, image_.range.offset(at), leader);
   }
 
   // A plane found around a neighbour, if its window holds this neuron and it explains the neuron's range. One

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 
+#include "base/gather_rows.h"
 #include "cnn/neighbourhood.h"
 #include "segment/lattice_borders.h"
 #include "segment/pair_table.h"
@@ -178,11 +179,9 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegio
   bool someLeave = false;
   for (size_t l = 0; l < alive.size(); ++l) someLeave = someLeave || (!alive[l] && regions.size[l] > 0);
   constexpr int kRows = 32;
-  std::vector<std::vector<GridIndex>> parts(static_cast<size_t>((region.rows() + kRows - 1) / kRows));
-  parallelRows(
+  return gatherRows<GridIndex>(
       region.rows(), execution,
-      [&](int begin, int end) {
-        std::vector<GridIndex>& part = parts[static_cast<size_t>(begin / kRows)];
+      [&](int begin, int end, std::vector<GridIndex>& border) {
         std::vector<std::int32_t> mark;
         for (int i = begin; i < end; ++i) {
           markBorders(region, i, Adjacency::Eight, mark);
@@ -190,13 +189,10 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegio
             forEachRun(region, i, kNoRegion, [&](std::int32_t l, int from, int to) {
               if (!alive[static_cast<size_t>(l)]) std::fill(mark.begin() + from, mark.begin() + to, 1);
             });
-          forEachMarked(mark, [&](int j) { part.push_back({i, j}); });
+          forEachMarked(mark, [&](int j) { border.push_back({i, j}); });
         }
       },
       kRows);
-  std::vector<GridIndex> border;
-  for (const auto& part : parts) border.insert(border.end(), part.begin(), part.end());
-  return border;
 }
 
 }  // namespace

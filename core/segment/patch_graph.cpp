@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/gather_rows.h"
+
 namespace stratascope {
 
 namespace {
@@ -13,6 +15,11 @@ namespace {
 constexpr int kPatchesOfPart = 256;
 // Of the disagreement that the rules allow a pair: four patches that disagree less are surely of one plane.
 constexpr double kSurely = 0.05;
+
+/// Of sums of normals.
+bool areParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const PatchGraph::Rules& rules) {
+  return !(a.dot(b) < rules.cosLargestAngle * std::sqrt(a.squaredNorm() * b.squaredNorm()));
+}
 
 }  // namespace
 
@@ -54,8 +61,7 @@ int PatchGraph::find(int patch) const {
 
 PatchGraph::Growth PatchGraph::growth(int a, int b, const Rules& rules) const {
   const Patch &pa = patches_[static_cast<size_t>(a)], &pb = patches_[static_cast<size_t>(b)];
-  const double norms = std::sqrt(pa.sums.normal.squaredNorm() * pb.sums.normal.squaredNorm());
-  if (pa.sums.normal.dot(pb.sums.normal) < rules.cosLargestAngle * norms) return {0, false};
+  if (!areParallel(pa.sums.normal, pb.sums.normal, rules)) return {0, false};
   const double slack = std::min(pa.sums.slack, pb.sums.slack);
   const double smaller = std::min(pa.sums.measured.n, pb.sums.measured.n);
   RangePlaneSums joint = pa.sums.local;
@@ -80,11 +86,9 @@ std::vector<PatchGraph::Entry> PatchGraph::weighAll(const Rules& rules, const Ex
   // A parent is smaller than its children, so in ascending order each finds its root in one step.
   for (int& parent : parent_) parent = parent_[static_cast<size_t>(parent)];
   const int patches = static_cast<int>(patches_.size());
-  std::vector<std::vector<Entry>> parts(static_cast<size_t>((patches + kPatchesOfPart - 1) / kPatchesOfPart));
-  parallelRows(
+  return gatherRows<Entry>(
       patches, execution,
-      [&](int begin, int end) {
-        std::vector<Entry>& part = parts[static_cast<size_t>(begin / kPatchesOfPart)];
+      [&](int begin, int end, std::vector<Entry>& entries) {
         for (int a = begin; a < end; ++a) {
           if (parent_[static_cast<size_t>(a)] != a) continue;
           auto& list = patches_[static_cast<size_t>(a)].neighbours;
@@ -94,14 +98,11 @@ std::vector<PatchGraph::Entry> PatchGraph::weighAll(const Rules& rules, const Ex
           for (const int b : list) {
             if (a >= b) continue;
             const Growth g = growth(a, b, rules);
-            if (g.allowed) part.push_back(entry(a, b, g.disagreement));
+            if (g.allowed) entries.push_back(entry(a, b, g.disagreement));
           }
         }
       },
       kPatchesOfPart);
-  std::vector<Entry> entries;
-  for (const auto& part : parts) entries.insert(entries.end(), part.begin(), part.end());
-  return entries;
 }
 
 int PatchGraph::root(int patch) {
@@ -149,8 +150,7 @@ bool PatchGraph::joinFour(const std::array<std::int32_t, 4>& four, const Rules& 
   double smallest = joint.measured.n, local = 0, measured = 0;
   for (const std::int32_t p : four) {
     const Patch& patch = patches_[static_cast<size_t>(p)];
-    const double norms = std::sqrt(patch.sums.normal.squaredNorm() * joint.normal.squaredNorm());
-    if (patch.sums.normal.dot(joint.normal) < rules.cosLargestAngle * norms) return false;
+    if (!areParallel(patch.sums.normal, joint.normal, rules)) return false;
     smallest = std::min(smallest, patch.sums.measured.n);
     local += patch.residual, measured += patch.plane.residual;
   }

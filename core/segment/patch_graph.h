@@ -49,8 +49,8 @@ public:
   /// Tells which patches touch. Order and repetition do not matter.
   void connect(std::span<const LabelPair> pairs);
   /// Joins patches four at a time, those around one corner of a lattice of them, then four of those four, and
-  /// so on, wherever the rules allow it without slack: most of a large surface, before any are weighed in
-  /// pairs. kNoRegion in a place of the lattice: nothing joins there. Indices must ascend row by row.
+  /// so on, where they surely are of one plane: most of a large surface, before any are weighed in pairs.
+  /// kNoRegion in a place of the lattice: nothing joins there. Indices must ascend row by row.
   void joinFours(const Grid<std::int32_t>& lattice, const Rules& rules, const Execution& execution);
   void joinAll(const Rules& rules, const Execution& execution);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/gather_rows.h"
 #include "base/units.h"
 #include "segment/whole_block.h"
 
@@ -145,18 +146,13 @@ void Patches::addTouching(int row, int col, std::vector<LabelPair>& pairs) const
 
 std::vector<LabelPair> Patches::touchingPatches(const Execution& execution) const {
   constexpr int kRows = 4;
-  std::vector<std::vector<LabelPair>> parts(static_cast<size_t>((wholePatch_.rows() + kRows - 1) / kRows));
-  parallelRows(
+  return gatherRows<LabelPair>(
       wholePatch_.rows(), execution,
-      [&](int begin, int end) {
+      [&](int begin, int end, std::vector<LabelPair>& pairs) {
         for (int r = begin; r < end; ++r)
-          for (int c = 0; c < wholePatch_.cols(); ++c)
-            addTouching(r, c, parts[static_cast<size_t>(begin / kRows)]);
+          for (int c = 0; c < wholePatch_.cols(); ++c) addTouching(r, c, pairs);
       },
       kRows);
-  std::vector<LabelPair> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
 }
 
 // A block of several regions: patches that lie in one of them whole, neurons where a border cuts a patch.

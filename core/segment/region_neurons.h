@@ -44,7 +44,8 @@ struct Neurons {
   /// and u ⊥ v ⊥ n, so that uuᵀ + vvᵀ = lever²·(1 − nnᵀ) and no direction in the plane need be chosen.
   void addTo(PatchSums& sums, GridIndex i) const {
     const Eigen::Vector3d at = q(i), n = normals.normals(i).cast<double>();
-    const double r = points.range(i), c = std::max(0.05, cosine(i)), noise = variance(i, c);
+    const double r = points.range(i), c = std::max(RangeNoise::kLeastCosine, cosine(i)),
+                 noise = variance(i, c);
     const double w = r * r / noise, spread = 0.5 * w * kLever * kLever;
     sums.measured.add(at, w);
     const double uneven =

@@ -28,8 +28,8 @@ bool WholeBlock::read(GridIndex first, int lines) {
   if (!all) return false;
   for (size_t k = 0; k < static_cast<size_t>(count_); ++k) {
     const double cosine = distance_[k] / range_[k];
-    const double rough = RangeNoise::kRoughness / std::max(0.05, cosine);
-    farthest2_[k] = kFarSigmas * kFarSigmas * 2 * (variance_[k] + rough * rough) * cosine * cosine;
+    farthest2_[k] =
+        kFarSigmas * kFarSigmas * 2 * RangeNoise::withRoughness(variance_[k], cosine) * cosine * cosine;
   }
   return true;
 }
@@ -94,7 +94,7 @@ PatchSums WholeBlock::sums() const {
                 z = widened(pz_, k) - sensor.z();
     const Lanes u = widened(nx_, k), v = widened(ny_, k), w = widened(nz_, k);
     const Lanes range = lanes(range_, k), distance = lanes(distance_, k);
-    const Lanes slant2 = (distance / range).max(0.05).square().inverse();  // 1 / cos²
+    const Lanes slant2 = (distance / range).max(RangeNoise::kLeastCosine).square().inverse();  // 1 / cos²
     const Lanes precision =
         (lanes(variance_, k) + RangeNoise::kRoughness * RangeNoise::kRoughness * slant2).inverse();
     const Lanes worth = range.square() * precision, spread = 0.5 * kLever * kLever * worth;
