@@ -8,6 +8,8 @@
 #include <limits>
 #include <span>
 
+#include "base/parallel_rows.h"
+
 namespace stratascope {
 
 /// How far points reach in plan, metres; missing points (a coordinate that is not finite) are left out.
@@ -22,11 +24,6 @@ struct PlanBounds {
     minY = std::min(minY, p.y()), maxY = std::max(maxY, p.y());
     ++count;
   }
-  void add(std::span<const Eigen::Vector3f> points) {
-    PlanBounds bounds = *this;
-    for (const Eigen::Vector3f& p : points) bounds.add(p);
-    *this = bounds;
-  }
   void add(const PlanBounds& b) {
     minX = std::min(minX, b.minX), maxX = std::max(maxX, b.maxX);
     minY = std::min(minY, b.minY), maxY = std::max(maxY, b.maxY);
@@ -35,5 +32,7 @@ struct PlanBounds {
   /// 0 · NaN and 0 · ∞ are no 0.
   static bool isFinite(const Eigen::Vector3f& p) { return 0 * p.x() + 0 * p.y() + 0 * p.z() == 0; }
 };
+
+PlanBounds planBounds(std::span<const Eigen::Vector3f> points, const Execution& execution = {});
 
 }  // namespace stratascope

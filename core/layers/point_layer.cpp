@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "base/units.h"
 #include "cnn/layer.h"
@@ -50,16 +49,7 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
   // A sensor that looks straight up or down has no horizontal viewing direction; the map's x axis serves.
   image.viewing =
       horizontal.norm() > 1e-6 ? Eigen::Vector3d(horizontal.normalized()) : Eigen::Vector3d::UnitX();
-  constexpr int kLines = 32;
-  std::vector<PlanBounds> boundsOf(static_cast<size_t>((measured.rows() + kLines - 1) / kLines));
-  parallelRows(
-      measured.rows(), execution,
-      [&](int begin, int end) {
-        for (int i = begin; i < end; ++i)
-          boundsOf[static_cast<size_t>(begin / kLines)].add(image.points.row(i));
-      },
-      kLines);
-  for (const PlanBounds& bounds : boundsOf) image.bounds.add(bounds);
+  image.bounds = planBounds(image.points.values(), execution);
   image.ownBody = image.range.size() - scan.lattice->missingCount() - image.bounds.count;
   // About the same work each, and independent of each other.
   const Execution alone{1, execution.stop};

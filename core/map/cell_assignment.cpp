@@ -120,21 +120,6 @@ void eachPart(const std::vector<Part>& parts, const Execution& execution, const 
       1);
 }
 
-PlanBounds boundsOf(std::span<const MapInput> inputs, const Execution& execution) {
-  PlanBounds all;
-  for (const MapInput& input : inputs) {
-    if (input.bounds) {
-      all.add(*input.bounds);
-      continue;
-    }
-    const std::vector<Part> parts = partsOf({&input, 1});
-    std::vector<PlanBounds> ofPart(parts.size());
-    eachPart(parts, execution, [&](const Part& part, size_t index) { ofPart[index].add(part.points); });
-    for (const PlanBounds& bounds : ofPart) all.add(bounds);
-  }
-  return all;
-}
-
 Expected<MapFrame> windowOf(const PlanBounds& b, double cell) {
   // in double: coordinates may lie beyond what a cell number can hold
   const double kMin = std::floor(b.minX / cell), kMax = std::floor(b.maxX / cell);
@@ -170,7 +155,9 @@ Expected<CellAssignment> assignCells(std::span<const MapInput> inputs, const Gri
     return Error{"", "map", "more than 4294967294 points", "process the scans in parts and merge their maps"};
 
   const std::vector<Part> parts = partsOf(inputs);
-  const PlanBounds bounds = boundsOf(inputs, execution);
+  PlanBounds bounds;
+  for (const MapInput& input : inputs)
+    bounds.add(input.bounds ? *input.bounds : planBounds(input.points, execution));
   if (bounds.count == 0) return Error{"", "map", "no valid point", "check the scan and the range limits"};
 
   CellAssignment result;

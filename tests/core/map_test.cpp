@@ -108,8 +108,7 @@ TEST(CellAssignment, DividesAsTheDefinitionSays) {
 
 TEST(CellAssignment, KnownBoundsChangeNothing) {
   const Points points{{3, 1, 0.5f}, {kNaNf, 0, 0}, {-2, 4, 1}, {0, 0, INFINITY}, {1, -3, 2}, {1, -3, 1}};
-  PlanBounds bounds;
-  bounds.add(points);
+  const PlanBounds bounds = planBounds(points);
   EXPECT_EQ(bounds.count, 4u);
   const MapInput asked{points, {}}, told{points, {}, bounds};
   const auto a = assignCells({&asked, 1}, {}), b = assignCells({&told, 1}, {});
