@@ -212,7 +212,7 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
   std::vector<GridIndex> active = borderOf(alive, regions, execution), next;
   std::vector<std::int32_t> wanted;
   size_t changes = 0;
-  const int last = step_ + mostSteps;
+  const int first = step_, last = step_ + mostSteps;
   for (; step_ < last && !active.empty(); ++step_) {
     wanted.resize(active.size());
     constexpr int kChunk = 512;
@@ -228,10 +228,14 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
       const GridIndex at = active[k];
       std::int32_t& own = region(at);
       if (wanted[k] == own) continue;
-      // Neighbours that change at the same time can swap for ever: nobody goes straight back.
+      // Neighbours that change at the same time can swap for ever, or in turns: nobody goes straight back, nor
+      // changes more often than a border needs to find its place.
+      constexpr unsigned kMostTimes = 8;
       Left& left = left_(at);
       if (left.step == step_ - 1 && left.label == wanted[k]) continue;
-      left = {own, step_};
+      if (left.step < first) left.times = 0;
+      if (left.times >= kMostTimes) continue;
+      left = {own, step_, left.times + 1u};
       own = wanted[k];
       ++changes;
       for (int di = -1; di <= 1; ++di)

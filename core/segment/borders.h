@@ -27,12 +27,13 @@ public:
 private:
   struct Left {
     std::int32_t label = kNoRegion;
-    int step = -2;
+    int step : 24 = -2;
+    unsigned times : 8 = 0;  // in this call
   };
   const Neurons& neurons_;
   int step_ = 0;      // goes on from one call to the next, so that the grids need not be cleared
   Grid<int> listed_;  // the step a neuron was last put on the list
-  Grid<Left> left_;   // what a neuron was before, until which step
+  Grid<Left> left_;   // what a neuron was before, until which step, and how often it changed
 };
 
 }  // namespace stratascope
