@@ -26,8 +26,8 @@ float fromRisingBits(std::uint32_t bits) {
   return std::bit_cast<float>((bits & 0x80000000u) ? bits & 0x7fffffffu : ~bits);
 }
 
-/// Ascending keys. Heights of a cell spread over it: many are dealt out into equal slices first, and few are
-/// left to sort in each.
+/// Ascending keys. Heights of a cell spread over it: many are dealt out into as many equal slices first, so
+/// that each is near its place.
 class SortByHeight {
 public:
   void operator()(std::span<std::uint64_t> keys) {
@@ -38,25 +38,31 @@ public:
       least = std::min(least, heightOf(key));
       most = std::max(most, heightOf(key));
     }
-    constexpr size_t kOfSlice = 4;
-    const size_t slices = keys.size() / kOfSlice;
+    const size_t slices = keys.size();
     const std::uint64_t scale = (std::uint64_t{slices} << 32) / (std::uint64_t{most - least} + 1);
-    sliceOf_.resize(keys.size());
+    const auto sliceOf = [&](std::uint64_t key) { return (heightOf(key) - least) * scale >> 32; };
     end_.assign(slices + 1, 0);
-    for (size_t k = 0; k < keys.size(); ++k) {
-      sliceOf_[k] = static_cast<std::uint32_t>((heightOf(keys[k]) - least) * scale >> 32);
-      ++end_[sliceOf_[k] + 1];
+    for (const std::uint64_t key : keys) ++end_[sliceOf(key) + 1];
+    bool crowded = false;
+    for (size_t s = 1; s < end_.size(); ++s) {
+      crowded |= end_[s] > kFew;
+      end_[s] += end_[s - 1];
     }
-    for (size_t s = 1; s < end_.size(); ++s) end_[s] += end_[s - 1];
     dealt_.assign(keys.begin(), keys.end());
-    for (size_t k = 0; k < dealt_.size(); ++k) keys[end_[sliceOf_[k]]++] = dealt_[k];
+    for (const std::uint64_t key : dealt_) keys[end_[sliceOf(key)]++] = key;
+    if (!crowded) return insert(keys);  // nobody has far to go
     size_t begin = 0;
     for (size_t s = 0; s < slices; begin = end_[s++]) sortFew(keys.subspan(begin, end_[s] - begin));
   }
 
 private:
+  static constexpr size_t kFew = 16;
+
   static void sortFew(std::span<std::uint64_t> keys) {
-    if (keys.size() > 16) return std::sort(keys.begin(), keys.end());
+    if (keys.size() > kFew) return std::sort(keys.begin(), keys.end());
+    insert(keys);
+  }
+  static void insert(std::span<std::uint64_t> keys) {
     for (size_t i = 1; i < keys.size(); ++i) {
       const std::uint64_t key = keys[i];
       size_t to = i;
@@ -67,8 +73,7 @@ private:
   static std::uint32_t heightOf(std::uint64_t key) { return static_cast<std::uint32_t>(key >> 32); }
 
   std::vector<std::uint64_t> dealt_;
-  std::vector<std::uint32_t> sliceOf_;  // each of them
-  std::vector<std::uint32_t> end_;      // of each slice
+  std::vector<std::uint32_t> end_;  // of each slice
 };
 
 std::string number(double value, int digits) {

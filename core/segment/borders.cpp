@@ -228,8 +228,8 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
       const GridIndex at = active[k];
       std::int32_t& own = region(at);
       if (wanted[k] == own) continue;
-      // Neighbours that change at the same time can swap for ever, or in turns: nobody goes straight back, nor
-      // changes more often than a border needs to find its place.
+      // Neighbours that change at the same time can swap for ever, or in turns: nobody goes straight back,
+      // nor changes more often than a border needs to find its place.
       constexpr unsigned kMostTimes = 8;
       Left& left = left_(at);
       if (left.step == step_ - 1 && left.label == wanted[k]) continue;
