@@ -202,8 +202,8 @@ BorderNetwork::BorderNetwork(const Neurons& neurons)
       listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1),
       left_(neurons.points.range.rows(), neurons.points.range.cols()) {}
 
-size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, PlaneRegions& regions,
-                             const Execution& execution) {
+BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int mostSteps,
+                                             PlaneRegions& regions, const Execution& execution) {
   const Creases creases(neurons_, regions, execution);
   const BorderRule rule(neurons_, regions.planes, alive, creases);
   Grid<std::int32_t>& region = regions.region;
@@ -211,7 +211,7 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
   // neurons is all a synchronous step has to visit.
   std::vector<GridIndex> active = borderOf(alive, regions, execution), next;
   std::vector<std::int32_t> wanted;
-  size_t changes = 0;
+  Settled settled{active.size(), 0};
   const int first = step_, last = step_ + mostSteps;
   for (; step_ < last && !active.empty(); ++step_) {
     wanted.resize(active.size());
@@ -237,7 +237,7 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
       if (left.times >= kMostTimes) continue;
       left = {own, step_, left.times + 1u};
       own = wanted[k];
-      ++changes;
+      ++settled.changes;
       for (int di = -1; di <= 1; ++di)
         for (int dj = -1; dj <= 1; ++dj) {
           const GridIndex near{at.row + di, at.col + dj};
@@ -249,7 +249,7 @@ size_t BorderNetwork::settle(const std::vector<char>& alive, int mostSteps, Plan
     std::swap(active, next);
   }
   ++step_;  // going back on a step of the last call is allowed
-  return changes;
+  return settled;
 }
 
 }  // namespace stratascope

@@ -20,9 +20,12 @@ public:
   /// neurons: must live as long.
   explicit BorderNetwork(const Neurons& neurons);
 
-  /// Returns how many neurons changed.
-  size_t settle(const std::vector<char>& alive, int mostSteps, PlaneRegions& regions,
-                const Execution& execution);
+  struct Settled {
+    size_t border;   ///< neurons at borders at first
+    size_t changes;  ///< of their labels, until none changed any more or the steps were over
+  };
+  Settled settle(const std::vector<char>& alive, int mostSteps, PlaneRegions& regions,
+                 const Execution& execution);
 
 private:
   struct Left {

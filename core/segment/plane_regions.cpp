@@ -153,10 +153,9 @@ public:
     dissolveSlivers(neurons_, regions_, alive_, execution_);
     settleAndJoin(toCreases);
     giveUpSmall();
-    // To the end, and anew: creases show better once borders and planes have come nearer to them.
-    constexpr int kRounds = 2;
-    for (int round = 0; round < kRounds; ++round)
-      if (!settleAndJoin(regions_.region.rows() + regions_.region.cols())) break;
+    // To the end; and anew if that moved the borders much, for creases show better once they are nearer.
+    const int toTheEnd = regions_.region.rows() + regions_.region.cols();
+    if (settleAndJoin(toTheEnd)) settleAndJoin(toTheEnd);
     dropCurved();
     relabel(joinUneven(neurons_, patches_, regions_, execution_));
     if (neurons_.params.joinCoplanar) join(OccludedGaps(neurons_, regions_).pairs(rules_.cosLargestAngle));
@@ -194,10 +193,11 @@ private:
     alive_.assign(regions_.planes.size(), 1);
   }
 
-  /// Whether anything changed.
+  /// Whether regions joined, or more than a few of the neurons at borders changed.
   bool settleAndJoin(int steps) {
-    const size_t changes = borders_.settle(alive_, steps, regions_, execution_);
-    return join({}) || changes > 0;
+    constexpr double kFew = 0.02;
+    const BorderNetwork::Settled settled = borders_.settle(alive_, steps, regions_, execution_);
+    return join({}) || static_cast<double>(settled.changes) > kFew * static_cast<double>(settled.border);
   }
 
   // Regions that met only after their borders had settled: the same rule of joining, on whole regions.
