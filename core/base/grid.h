@@ -4,10 +4,9 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
-#include "base/block_pool.h"
 #include "base/expected.h"
+#include "base/pooled_vector.h"
 
 namespace stratascope {
 
@@ -34,8 +33,14 @@ class Grid {
 public:
   Grid() = default;
   Grid(int rows, int cols, const T& fill = zeroValue<T>()) : rows_(rows), cols_(cols) {
-    require(rows >= 0 && cols >= 0, "Grid: negative size");
-    values_.assign(static_cast<size_t>(rows) * static_cast<size_t>(cols), fill);
+    values_.assign(count(), fill);
+  }
+  /// For who writes every value anyway, and on several threads.
+  static Grid unset(int rows, int cols) {
+    Grid grid;
+    grid.rows_ = rows, grid.cols_ = cols;
+    grid.values_.resize(grid.count());
+    return grid;
   }
 
   int rows() const { return rows_; }
@@ -75,9 +80,14 @@ public:
   bool operator==(const Grid&) const = default;
 
 private:
+  size_t count() const {
+    require(rows_ >= 0 && cols_ >= 0, "Grid: negative size");
+    return static_cast<size_t>(rows_) * static_cast<size_t>(cols_);
+  }
+
   int rows_ = 0;
   int cols_ = 0;
-  std::vector<T, PoolAllocator<T>> values_;
+  PooledVector<T> values_;
 };
 
 }  // namespace stratascope

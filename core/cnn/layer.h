@@ -14,7 +14,7 @@ namespace stratascope {
 /// this one.
 template <class State, class Rule>
 Grid<State> feedForward(int lines, int beams, const Rule& rule, const Execution& execution = {}) {
-  Grid<State> state(lines, beams);
+  Grid<State> state = Grid<State>::unset(lines, beams);
   parallelRows(lines, execution, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       for (int j = 0; j < beams; ++j) state({i, j}) = rule(GridIndex{i, j});

@@ -54,16 +54,13 @@ LatticeSteps measureLatticeSteps(const PointImage& image, const Execution& execu
   LatticeSteps steps;
   steps.tiles_ = Grid<LatticeSteps::Step>((lines + kTile - 1) / kTile, (beams + kTile - 1) / kTile);
   const Eigen::Vector3f sensor = image.sensor.cast<float>();
-  // The chord between two directions; the angle follows from the median of the chords, for it rises with
-  // them.
-  auto chord = [&](GridIndex a, GridIndex b) {
-    const Eigen::Vector3f u = (image.points(a) - sensor) / image.range(a),
-                          v = (image.points(b) - sensor) / image.range(b);
-    return (u - v).norm();
+  auto direction = [&](GridIndex at) -> Eigen::Vector3f {
+    return (image.points(at) - sensor) / image.range(at);
   };
-  auto medianAngle = [](std::vector<float>& chords) {
-    const float median = medianOrNegative(chords);
-    return median < 0 ? median : 2 * std::asin(std::min(1.0f, 0.5f * median));
+  // The angle between two directions follows from the median of their squared chords, for it rises with them.
+  auto medianAngle = [](std::vector<float>& chords2) {
+    const float median = medianOrNegative(chords2);
+    return median < 0 ? median : 2 * std::asin(std::min(1.0f, 0.5f * std::sqrt(median)));
   };
   parallelRows(
       steps.tiles_.rows(), execution,
@@ -75,10 +72,11 @@ LatticeSteps measureLatticeSteps(const PointImage& image, const Execution& execu
             for (int i = ti * kTile; i < std::min(lines, (ti + 1) * kTile); i += 2)
               for (int j = tj * kTile; j < std::min(beams, (tj + 1) * kTile); j += 2) {
                 if (std::isnan(image.range({i, j}))) continue;
+                const Eigen::Vector3f own = direction({i, j});
                 if (i + 1 < lines && !std::isnan(image.range({i + 1, j})))
-                  down.push_back(chord({i, j}, {i + 1, j}));
+                  down.push_back((own - direction({i + 1, j})).squaredNorm());
                 if (j + 1 < beams && !std::isnan(image.range({i, j + 1})))
-                  across.push_back(chord({i, j}, {i, j + 1}));
+                  across.push_back((own - direction({i, j + 1})).squaredNorm());
               }
             steps.tiles_({ti, tj}) = {medianAngle(down), medianAngle(across)};
           }

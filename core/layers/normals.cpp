@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/filled_grid.h"
 #include "base/units.h"
 #include "cnn/layer.h"
 #include "cnn/neighbourhood.h"
@@ -79,9 +80,9 @@ NormalImage computeNormals(const PointImage& image, const NormalParams& params, 
                            const NormalHistory& history) {
   const int lines = image.points.rows(), beams = image.points.cols();
   NormalImage result;
-  result.normals = Grid<Eigen::Vector3f>(lines, beams, Eigen::Vector3f::Constant(kNaNf));
-  result.distance = Grid<float>(lines, beams, kNaNf);
-  result.reach = Grid<float>(lines, beams, kNaNf);
+  result.normals = filledGrid<Eigen::Vector3f>(lines, beams, Eigen::Vector3f::Constant(kNaNf), execution);
+  result.distance = filledGrid(lines, beams, kNaNf, execution);
+  result.reach = filledGrid(lines, beams, kNaNf, execution);
   auto put = [&](GridIndex at, const NormalState& state) {
     result.normals(at) = state.normal;
     result.distance(at) = state.distance;

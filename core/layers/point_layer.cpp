@@ -17,13 +17,16 @@ RangeLimits::RangeLimits(const Scan& scan, const RangeParams& params)
       farthest_(params.maxRange > 0 ? params.maxRange : std::numeric_limits<double>::infinity()) {}
 
 bool RangeLimits::contains(const Eigen::Vector3f& point) const {
-  const double r = (point.cast<double>() - sensor_).norm();
-  return std::isfinite(r) && r >= nearest_ && r <= farthest_;
+  return contains((point.cast<double>() - sensor_).norm());
 }
 
 float RangeLimits::rangeOf(const Eigen::Vector3f& point) const {
   const double r = (point.cast<double>() - sensor_).norm();
-  return r > 0 && contains(point) ? static_cast<float>(r) : kNaNf;
+  return r > 0 && contains(r) ? static_cast<float>(r) : kNaNf;
+}
+
+bool RangeLimits::contains(double range) const {
+  return range >= nearest_ && range <= farthest_ && range < std::numeric_limits<double>::infinity();
 }
 
 PointImage computePoints(const Scan& scan, const RangeParams& params, const Execution& execution) {
@@ -51,15 +54,14 @@ PointImage computePoints(const Scan& scan, const RangeParams& params, const Exec
       horizontal.norm() > 1e-6 ? Eigen::Vector3d(horizontal.normalized()) : Eigen::Vector3d::UnitX();
   image.bounds = planBounds(image.points.values(), execution);
   image.ownBody = image.range.size() - scan.lattice->missingCount() - image.bounds.count;
-  // About the same work each, and independent of each other.
-  const Execution alone{1, execution.stop};
+  // Independent of each other; whoever has estimated the noise helps to measure the steps.
   parallelRows(
       2, execution,
       [&](int begin, int) {
         if (begin == 0)
-          image.noise = estimateRangeNoise(image, measured, alone);
+          image.noise = estimateRangeNoise(image, measured, execution);
         else
-          image.steps = measureLatticeSteps(image, alone);
+          image.steps = measureLatticeSteps(image, execution);
       },
       1);
   return image;

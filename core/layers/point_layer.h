@@ -20,6 +20,7 @@ public:
   float rangeOf(const Eigen::Vector3f& point) const;
 
 private:
+  bool contains(double range) const;
   Eigen::Vector3d sensor_;
   double nearest_, farthest_;
 };

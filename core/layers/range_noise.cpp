@@ -18,9 +18,6 @@ constexpr size_t kEnough = 200;      // second differences for a median good to 
 constexpr float kSameValue = 1e-5f;  // relative: what float arithmetic leaves between equal values
 constexpr size_t kAsked = 50000;     // of the whole scan: good to one per cent
 constexpr size_t kAskedForSteps = 20000;
-// Of one distance, in the order of the lines: good to three per cent, and known long before a scan is
-// complete, so that its last lines do not change what the first ones gave.
-constexpr size_t kAskedOfADistance = 200000;
 
 double medianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -94,11 +91,12 @@ double rounded(double sigma) {
 
 /// The deviation that half of the returns do not exceed.
 template <size_t kBins>
-double ofMostReturns(const std::array<double, kBins>& sigma, const std::array<size_t, kBins>& returns) {
+double ofMostReturns(const std::array<double, kBins>& sigma,
+                     const std::array<std::vector<float>, kBins>& returns) {
   std::vector<std::pair<double, size_t>> bins;
   size_t all = 0, below = 0;
   for (size_t k = 0; k < kBins; ++k)
-    if (sigma[k] >= 0) bins.emplace_back(sigma[k], returns[k]), all += returns[k];
+    if (sigma[k] >= 0) bins.emplace_back(sigma[k], returns[k].size()), all += returns[k].size();
   std::sort(bins.begin(), bins.end());
   for (const auto& [value, count] : bins)
     if (2 * (below += count) >= all) return value;
@@ -114,7 +112,6 @@ RangeNoise estimateRangeNoise(const PointImage& image, const Grid<Eigen::Vector3
   // |second difference| of the range along the beams, corrected for the curve of a plane seen in polar
   // coordinates, by taking it in the inverse range: δ(1/r) = −δr / r².
   std::array<std::vector<float>, RangeNoise::kBins> byBin;
-  std::array<size_t, RangeNoise::kBins> returns{};
   std::vector<float> all;
   const int stride = std::max(1, static_cast<int>(range.size() / kAsked));
   for (int i = 0; i < range.rows(); i += stride) {
@@ -126,8 +123,7 @@ RangeNoise estimateRangeNoise(const PointImage& image, const Grid<Eigen::Vector3
       const double second = std::abs(double(b - a) * c - double(c - b) * a) * b / (double(a) * c);
       if (second > 0.2 * b) continue;  // across a jump
       all.push_back(static_cast<float>(second));
-      const auto k = static_cast<size_t>(RangeNoise::binOf(b));
-      if (++returns[k] <= kAskedOfADistance) byBin[k].push_back(static_cast<float>(second));
+      byBin[static_cast<size_t>(RangeNoise::binOf(b))].push_back(static_cast<float>(second));
     }
   }
   RangeNoise noise;
@@ -144,7 +140,7 @@ RangeNoise estimateRangeNoise(const PointImage& image, const Grid<Eigen::Vector3
   for (size_t k = 0; k < byBin.size(); ++k)
     if (byBin[k].size() >= kEnough)
       sigma[k] = std::max(toSigma * medianOf(byBin[k]), stepNoiseAt(steps, middleOf(k)));
-  if (!steps.empty()) noise.overall_ = ofMostReturns(sigma, returns);
+  if (!steps.empty()) noise.overall_ = ofMostReturns(sigma, byBin);
   // Distances with too few returns take the nearest distance that has enough.
   for (int k = 0; k < RangeNoise::kBins; ++k) {
     double value = fallback;

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "base/filled_grid.h"
 #include "base/gather_rows.h"
 #include "cnn/neighbourhood.h"
 #include "layers/regression_memory.h"
@@ -63,10 +64,10 @@ struct Misfit {
 class Regression {
 public:
   Regression(const PointImage& image, const NormalParams& params, NormalImage& result,
-             const NormalHistory& history)
+             const NormalHistory& history, const Execution& execution)
       : image_(image), params_(params), result_(result) {
     const int lines = image.range.rows(), beams = image.range.cols();
-    memory_->half = Grid<WindowHalf>(lines, beams);
+    memory_->half = filledGrid(lines, beams, WindowHalf{}, execution);
     memory_->window = Grid<OwnWindow>(lines, beams);
     memory_->step = Grid<std::uint8_t>(lines, beams, RegressionMemory::kNever);
     if (history.remember) result.memory = memory_;
@@ -454,7 +455,7 @@ private:
 
 void regressionNormals(const PointImage& image, const NormalParams& params, NormalImage& result,
                        const Execution& execution, const NormalHistory& history) {
-  Regression(image, params, result, history).run(execution);
+  Regression(image, params, result, history, execution).run(execution);
 }
 
 }  // namespace stratascope
