@@ -200,7 +200,8 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegio
 BorderNetwork::BorderNetwork(const Neurons& neurons)
     : neurons_(neurons),
       listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1),
-      left_(neurons.points.range.rows(), neurons.points.range.cols()) {}
+      left_(neurons.points.range.rows(), neurons.points.range.cols()),
+      times_(neurons.points.range.rows(), neurons.points.range.cols()) {}
 
 BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int mostSteps,
                                              PlaneRegions& regions, const Execution& execution) {
@@ -230,12 +231,14 @@ BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int
       if (wanted[k] == own) continue;
       // Neighbours that change at the same time can swap for ever, or in turns: nobody goes straight back,
       // nor changes more often than a border needs to find its place.
-      constexpr unsigned kMostTimes = 8;
+      constexpr int kMostTimes = 8;
       Left& left = left_(at);
       if (left.step == step_ - 1 && left.label == wanted[k]) continue;
-      if (left.step < first) left.times = 0;
-      if (left.times >= kMostTimes) continue;
-      left = {own, step_, left.times + 1u};
+      std::uint8_t& times = times_(at);
+      if (left.step < first) times = 0;
+      if (times >= kMostTimes) continue;
+      ++times;
+      left = {own, step_};
       own = wanted[k];
       ++settled.changes;
       for (int di = -1; di <= 1; ++di)

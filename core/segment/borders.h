@@ -30,13 +30,13 @@ public:
 private:
   struct Left {
     std::int32_t label = kNoRegion;
-    int step : 24 = -2;
-    unsigned times : 8 = 0;  // in this call
+    int step = -2;
   };
   const Neurons& neurons_;
-  int step_ = 0;      // goes on from one call to the next, so that the grids need not be cleared
-  Grid<int> listed_;  // the step a neuron was last put on the list
-  Grid<Left> left_;   // what a neuron was before, until which step, and how often it changed
+  int step_ = 0;              // goes on from one call to the next, so that the grids need not be cleared
+  Grid<int> listed_;          // the step a neuron was last put on the list
+  Grid<Left> left_;           // what a neuron was before, until which step
+  Grid<std::uint8_t> times_;  // how often a neuron changed in the call of that step
 };
 
 }  // namespace stratascope
