@@ -68,8 +68,8 @@ public:
       : image_(image), params_(params), result_(result) {
     const int lines = image.range.rows(), beams = image.range.cols();
     memory_->half = filledGrid(lines, beams, WindowHalf{}, execution);
-    memory_->window = Grid<OwnWindow>(lines, beams);
-    memory_->step = Grid<std::uint8_t>(lines, beams, RegressionMemory::kNever);
+    memory_->window = filledGrid(lines, beams, OwnWindow{}, execution);
+    memory_->step = filledGrid(lines, beams, RegressionMemory::kNever, execution);
     if (history.remember) result.memory = memory_;
     if (!history.normals || !history.normals->memory || !Unchanged::canTell(*history.points, image)) return;
     before_ = history.normals;

@@ -13,9 +13,8 @@ namespace {
 
 TEST(Grid, FilledByAnyNumberOfThreadsEveryValueIsSet) {
   for (const int threads : {1, 2, 8}) {
-    // Memory that held something else before.
     for (int lines : {1, 63, 64, 65, 515}) {
-      { const Grid<float> before(lines, 361, 7.0f); }
+      { const Grid<float> before(lines, 361, 7.0f); }  // may leave its memory to the next
       const Grid<float> grid = filledGrid(lines, 361, kNaNf, {threads});
       ASSERT_EQ(grid.rows(), lines);
       ASSERT_EQ(grid.cols(), 361);
