@@ -30,7 +30,7 @@ Patches::Patches(const Neurons& neurons, const Execution& execution)
   const int lines = neurons.points.range.rows(), beams = neurons.points.range.cols();
   const int rows = (lines + blockLines_ - 1) / blockLines_, cols = (beams + kBlockBeams - 1) / kBlockBeams;
   patch_ = Grid<std::int32_t>(lines, beams, kNoRegion);
-  ofBlock_ = Grid<PatchSums>(rows, cols);
+  firstOfBlock_ = Grid<std::int32_t>(rows, cols + 1);
   wholePatch_ = Grid<std::int32_t>(rows, cols, kNoRegion);
   // Rows of blocks label their patches from 0, then all are numbered through.
   std::vector<std::vector<PatchSums>> ofRow(static_cast<size_t>(rows));
@@ -43,31 +43,35 @@ Patches::Patches(const Neurons& neurons, const Execution& execution)
           std::vector<PatchSums>& sums = ofRow[static_cast<size_t>(r)];
           for (int c = 0; c < cols; ++c) {
             const Block b = block(r, c);
+            firstOfBlock_({r, c}) = static_cast<std::int32_t>(sums.size());
             if (b.endBeam - b.beam == kBlockBeams && values.read({b.line, b.beam}, b.endLine - b.line) &&
                 values.allAgree()) {
               wholePatch_({r, c}) = static_cast<std::int32_t>(sums.size());
               for (int i = b.line; i < b.endLine; ++i)
                 std::fill_n(&patch_({i, b.beam}), kBlockBeams, wholePatch_({r, c}));
-              ofBlock_({r, c}) = sums.emplace_back(values.sums());
-              continue;
+              sums.push_back(values.sums());
+            } else {
+              labelBlock(b, sums, stack);
             }
-            const size_t before = sums.size();
-            labelBlock(b, sums, stack);
-            for (size_t k = before; k < sums.size(); ++k) ofBlock_({r, c}) += sums[k];
           }
+          firstOfBlock_({r, cols}) = static_cast<std::int32_t>(sums.size());
         }
       },
       1);
   std::vector<std::int32_t> firstOfRow(1, 0);
-  for (const auto& sums : ofRow) {
+  for (const auto& sums : ofRow)
     firstOfRow.push_back(firstOfRow.back() + static_cast<std::int32_t>(sums.size()));
+  sums_.reserve(static_cast<size_t>(firstOfRow.back()));
+  for (auto& sums : ofRow) {
     sums_.insert(sums_.end(), sums.begin(), sums.end());
+    sums = {};
   }
   parallelRows(
       rows, execution,
       [&](int begin, int end) {
         for (int r = begin; r < end; ++r) {
           const std::int32_t first = firstOfRow[static_cast<size_t>(r)];
+          for (std::int32_t& p : firstOfBlock_.row(r)) p += first;
           for (std::int32_t& p : wholePatch_.row(r)) p += p != kNoRegion ? first : 0;
           for (int i = r * blockLines_; i < std::min(lines, (r + 1) * blockLines_); ++i)
             for (std::int32_t& p : patch_.row(i)) p += p != kNoRegion ? first : 0;
@@ -192,7 +196,7 @@ void Patches::addMixed(const Block& block, const Grid<std::int32_t>& region, Reg
 }
 
 void Patches::addRow(int row, const Grid<std::int32_t>& region, RegionSums& sums) const {
-  for (int c = 0; c < ofBlock_.cols(); ++c) {
+  for (int c = 0; c < wholePatch_.cols(); ++c) {
     const Block b = block(row, c);
     const std::int32_t first = region({b.line, b.beam});
     bool whole = true;
@@ -201,7 +205,10 @@ void Patches::addRow(int row, const Grid<std::int32_t>& region, RegionSums& sums
     if (!whole) {
       addMixed(b, region, sums);
     } else if (first != kNoRegion) {
-      sums.sums[static_cast<size_t>(first)] += ofBlock_({row, c});
+      PatchSums all;
+      for (std::int32_t p = firstOfBlock_({row, c}); p < firstOfBlock_({row, c + 1}); ++p)
+        all += sums_[static_cast<size_t>(p)];
+      sums.sums[static_cast<size_t>(first)] += all;
       sums.size[static_cast<size_t>(first)] +=
           static_cast<size_t>((b.endLine - b.line) * (b.endBeam - b.beam));
     }
@@ -212,11 +219,11 @@ Patches::RegionSums Patches::sumsOf(const Grid<std::int32_t>& region, std::size_
                                     const Execution& execution) {
   // Partial sums of a fixed number of rows each, added in order: the same bits for any number of threads.
   constexpr int kParts = 16;
-  const int rowsOfPart = std::max(1, (ofBlock_.rows() + kParts - 1) / kParts);
+  const int rowsOfPart = std::max(1, (wholePatch_.rows() + kParts - 1) / kParts);
   if (summed_.empty()) summed_ = Grid<std::int32_t>(region.rows(), region.cols(), kNoRegion);
-  parts_.resize(static_cast<size_t>((ofBlock_.rows() + rowsOfPart - 1) / rowsOfPart));
+  parts_.resize(static_cast<size_t>((wholePatch_.rows() + rowsOfPart - 1) / rowsOfPart));
   parallelRows(
-      ofBlock_.rows(), execution,
+      wholePatch_.rows(), execution,
       [&](int begin, int end) {
         RegionSums& part = parts_[static_cast<size_t>(begin / rowsOfPart)];
         const size_t first = region.offset({begin * blockLines_, 0}),

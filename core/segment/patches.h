@@ -56,10 +56,10 @@ private:
   float cosAgree_;
   Grid<std::int32_t> patch_;
   std::vector<PatchSums> sums_;
-  Grid<PatchSums> ofBlock_;        // of all neurons with a normal
-  Grid<std::int32_t> summed_;      // the regions of the last sumsOf()…
-  std::vector<RegionSums> parts_;  // …and its partial sums
-  Grid<std::int32_t> wholePatch_;  // of a block that is one patch, or kNoRegion
+  Grid<std::int32_t> firstOfBlock_;  // its patches are those up to the next one's first, in sums_
+  Grid<std::int32_t> summed_;        // the regions of the last sumsOf()…
+  std::vector<RegionSums> parts_;    // …and its partial sums
+  Grid<std::int32_t> wholePatch_;    // of a block that is one patch, or kNoRegion
 };
 
 }  // namespace stratascope
