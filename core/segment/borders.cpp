@@ -200,7 +200,6 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegio
 BorderNetwork::BorderNetwork(const Neurons& neurons)
     : neurons_(neurons),
       listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1),
-      left_(neurons.points.range.rows(), neurons.points.range.cols()),
       times_(neurons.points.range.rows(), neurons.points.range.cols()) {}
 
 BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int mostSteps,
@@ -213,8 +212,8 @@ BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int
   std::vector<GridIndex> active = borderOf(alive, regions, execution), next;
   std::vector<std::int32_t> wanted;
   Settled settled{active.size(), 0};
-  const int first = step_, last = step_ + mostSteps;
-  for (; step_ < last && !active.empty(); ++step_) {
+  std::ranges::fill(times_.values(), std::uint8_t{0});
+  for (const int last = step_ + mostSteps; step_ < last && !active.empty(); ++step_) {
     wanted.resize(active.size());
     constexpr int kChunk = 512;
     parallelRows(
@@ -229,16 +228,11 @@ BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int
       const GridIndex at = active[k];
       std::int32_t& own = region(at);
       if (wanted[k] == own) continue;
-      // Neighbours that change at the same time can swap for ever, or in turns: nobody goes straight back,
-      // nor changes more often than a border needs to find its place.
-      constexpr int kMostTimes = 8;
-      Left& left = left_(at);
-      if (left.step == step_ - 1 && left.label == wanted[k]) continue;
-      std::uint8_t& times = times_(at);
-      if (left.step < first) times = 0;
-      if (times >= kMostTimes) continue;
-      ++times;
-      left = {own, step_};
+      // Neighbours that change at the same time can swap for ever, or in turns: nobody changes more often
+      // than a border needs to find its place.
+      constexpr int kMostTimes = 4;
+      if (times_(at) >= kMostTimes) continue;
+      ++times_(at);
       own = wanted[k];
       ++settled.changes;
       for (int di = -1; di <= 1; ++di)
@@ -251,7 +245,6 @@ BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int
     }
     std::swap(active, next);
   }
-  ++step_;  // going back on a step of the last call is allowed
   return settled;
 }
 

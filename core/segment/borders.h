@@ -31,15 +31,10 @@ public:
                  const Execution& execution);
 
 private:
-  struct Left {
-    std::int32_t label = kNoRegion;
-    int step = -2;
-  };
   const Neurons& neurons_;
-  int step_ = 0;              // goes on from one call to the next, so that the grids need not be cleared
+  int step_ = 0;              // goes on from one call to the next, so that listed_ need not be cleared
   Grid<int> listed_;          // the step a neuron was last put on the list
-  Grid<Left> left_;           // what a neuron was before, until which step
-  Grid<std::uint8_t> times_;  // how often a neuron changed in the call of that step
+  Grid<std::uint8_t> times_;  // how often a neuron changed in this call
 };
 
 }  // namespace stratascope
