@@ -37,11 +37,11 @@ QWidget* titled(const QString& title, QWidget* map) {
 
 }  // namespace
 
-FlatWindow::FlatWindow(const QString& problem, QWidget* parent) : QMainWindow(parent) {
+FlatWindow::FlatWindow(const QString& problem, int threads) {
   initResources();
   setWindowTitle(tr("Stratascope"));
   resize(1200, 720);
-  bridge_ = new PipelineBridge(this);
+  bridge_ = new PipelineBridge(this, threads);
   desk_ = new ScanDesk(this);
   params_ = new ParamPanel;
   heights_ = new FlatMap(FlatMap::Kind::Heights);
@@ -91,14 +91,12 @@ FlatWindow::FlatWindow(const QString& problem, QWidget* parent) : QMainWindow(pa
   connect(bridge_, &PipelineBridge::failed, message_, &MessageBar::showError);
 }
 
-void FlatWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses) {
-  std::vector<DeskFile> files;
-  for (int i = 0; i < paths.size(); ++i) {
-    DeskFile& file = files.emplace_back();
-    file.path = paths[i];
-    if (!poses.empty()) file.pose = poses[static_cast<size_t>(i)];
-  }
-  if (!files.empty()) desk_->open(std::move(files));
+void FlatWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses,
+                           const FileFrame& frame) {
+  if (paths.isEmpty()) return;
+  auto files = deskFiles(paths, poses, frame);
+  if (!files) return message_->showError(QString::fromStdString(files.error().message()));
+  desk_->open(std::move(*files));
 }
 
 void FlatWindow::setParams(const PipelineParams& params) {

@@ -24,10 +24,12 @@ class ParamPanel;
 class FlatWindow : public QMainWindow {
   Q_OBJECT
 public:
-  /// `problem`: what is missing, in one line.
-  explicit FlatWindow(const QString& problem, QWidget* parent = nullptr);
+  /// `problem`: what is missing, in one line; threads: as Execution has them.
+  explicit FlatWindow(const QString& problem, int threads = 0);
 
-  void openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses = {});
+  /// As MainWindow's.
+  void openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses = {},
+                 const FileFrame& frame = {});
   void setParams(const PipelineParams& params);
   bool idle() const { return !desk_->reading() && !bridge_->busy(); }
 

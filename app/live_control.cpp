@@ -23,7 +23,9 @@
 #include <utility>
 
 #include "app/main_window.h"
+#include "io/session_file.h"
 #include "widgets/stream_counts.h"
+#include "widgets/text_format.h"
 #include "widgets/view_area.h"
 
 namespace stratascope {
@@ -49,10 +51,6 @@ bool needsKey(const QWidget* widget, int key) {
   if (key == Qt::Key_Space) return qobject_cast<const QAbstractButton*>(widget);
   return qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractItemView*>(widget) ||
          qobject_cast<const QTabBar*>(widget);
-}
-
-QString quoted(QString word) {
-  return QStringLiteral("'") + word.replace('\'', "'\\''") + QStringLiteral("'");
 }
 
 }  // namespace
@@ -113,8 +111,9 @@ void LiveControl::buildMenu() {
   stop_ = add(tr("&Stop"), {}, [this] { stop(); });
 }
 
-void LiveControl::begin(const StreamRequest& request) {
+void LiveControl::begin(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose) {
   request_ = request;
+  pose_ = pose;
   failureTold_ = cameraMoved_ = false;
   fitted_.setEmpty();
   bar_->setKind(transport() ? TransportBar::Kind::Replay : TransportBar::Kind::Device);
@@ -133,11 +132,12 @@ Transport* LiveControl::transport() const {
 
 QStringList LiveControl::commandWords() const {
   QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("stream"),
-                    quoted(QFile::decodeName(request_.address.c_str()))};
+                    shellWord(QFile::decodeName(request_.address.c_str()))};
   const auto number = [](double value) { return QString::number(value, 'g', 15); };
   const auto option = [&](const char* name, const QString& value) {
     words << QString::fromLatin1(name) << value;
   };
+  if (pose_) option("--pose", poseWord(poseNumbers(*pose_)));
   if (looksLikeDeviceAddress(request_.address)) {
     const HeadMotion &m = request_.telegrams.motion, usual;
     if (m.startDeg != usual.startDeg) option("--head-start", number(m.startDeg));
@@ -156,7 +156,8 @@ QStringList LiveControl::commandWords() const {
   if (request_.play.head != HeadMode::AsTheScene)
     option("--head",
            request_.play.head == HeadMode::Steps ? QStringLiteral("steps") : QStringLiteral("turns"));
-  if (!request_.play.moving.empty()) option("--moving", quoted(QString::fromStdString(request_.play.moving)));
+  if (!request_.play.moving.empty())
+    option("--moving", shellWord(QString::fromStdString(request_.play.moving)));
   return words;
 }
 

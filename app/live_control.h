@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,12 @@ public:
   explicit LiveControl(MainWindow& window);
 
   /// The window's bridge shows the stream of this request from now on.
-  void begin(const StreamRequest& request);
+  void begin(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose = {});
   /// A stream is shown, be it over or not.
   bool isOpen() const;
   /// Of the stream that is shown.
   const StreamRequest& request() const { return request_; }
+  const std::optional<Eigen::Isometry3d>& pose() const { return pose_; }
   /// The call of the command line that maps the same stream, without its results' place.
   QStringList commandWords() const;
   /// For run.json; empty without a stream.
@@ -71,6 +73,7 @@ private:
   QAction* stop_ = nullptr;
   QTimer refresh_;
   StreamRequest request_;
+  std::optional<Eigen::Isometry3d> pose_;  // as --pose
   bool failureTold_ = false, cameraMoved_ = false;
   Eigen::AlignedBox3d fitted_;
 };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/batch.h"
+#include "app/cli/frame_options.h"
 #include "app/cli/param_options.h"
 #include "app/drag_bench.h"
 #include "app/flat_window.h"
@@ -20,7 +21,9 @@
 #include "app/live_bench.h"
 #include "app/main_window.h"
 #include "app/picture_dialog.h"
+#include "app/window_state.h"
 #include "io/export.h"
+#include "io/scan_paths.h"
 #include "params/param_table.h"
 #include "widgets/opengl.h"
 #include "widgets/theme.h"
@@ -30,13 +33,31 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   stratascope::cli::ParamOptions params;
+  stratascope::cli::FrameOptions frame;
   std::string batch, theme = "system", size, language, picture;
   std::vector<std::string> drag;
   double liveSpeed = 10;
   bool measureDrag = false, measureLive = false;
 
   bool stream() const { return files.size() == 1 && stratascope::looksLikeStreamAddress(files.front()); }
+  QStringList paths() const {
+    QStringList list;
+    for (const std::string& file : files) list << QFile::decodeName(file.c_str());
+    return list;
+  }
 };
+
+/// Why these cannot be used with a session; empty if they can, or there is none.
+std::string sessionProblem(const Arguments& arguments) {
+  using namespace stratascope;
+  const auto found = std::ranges::find_if(
+      arguments.files, [](const std::string& file) { return file.ends_with(kSessionEnding); });
+  if (found == arguments.files.end()) return {};
+  if (arguments.files.size() > 1) return *found + ": a session is opened alone, without files beside it";
+  if (arguments.params.anyGiven() || arguments.frame.frame() != FileFrame{})
+    return *found + ": a session brings its own parameters, poses, units and axes; give none beside it";
+  return {};
+}
 
 /// Why these cannot be opened together; empty if they can.
 std::string streamProblem(const Arguments& arguments) {
@@ -44,6 +65,7 @@ std::string streamProblem(const Arguments& arguments) {
   const auto found = std::ranges::find_if(arguments.files, looksLikeStreamAddress);
   if (found == arguments.files.end()) return {};
   if (arguments.files.size() > 1) return *found + ": a stream is opened alone, without files beside it";
+  if (arguments.frame.frame() != FileFrame{}) return *found + ": --units and --axes need a scan file";
   if (!arguments.batch.empty() || arguments.measureDrag)
     return *found + ": --batch and --measure-drag need a scan file";
   if (!looksLikeDeviceAddress(*found)) return {};
@@ -90,12 +112,10 @@ bool canShowWindows() {
 }
 
 int runFlat(const QString& problem, const Arguments& arguments, const stratascope::cli::Settings& settings) {
-  stratascope::FlatWindow window(problem);
+  stratascope::FlatWindow window(problem, arguments.params.execution().threads);
   window.setParams(settings.params);
   window.show();
-  QStringList files;
-  for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
-  window.openFiles(files, settings.poses);
+  window.openFiles(arguments.paths(), settings.poses, arguments.frame.frame());
   return QApplication::exec();
 }
 
@@ -129,7 +149,8 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
     return runFlat(problem, arguments, *settings);
   }
 
-  MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session);
+  MainWindow window(batch ? MainWindow::Keep::Nothing : MainWindow::Keep::Session,
+                    arguments.params.execution().threads);
   if (arguments.theme != "system") applyTheme(arguments.theme == "dark" ? Theme::Dark : Theme::Light);
   window.setParams(settings->params);
   if (batch) {
@@ -150,8 +171,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
     }
   }
   window.show();
-  QStringList files;
-  for (const std::string& file : arguments.files) files << QFile::decodeName(file.c_str());
+  QStringList files = arguments.paths();
   // A first start shows something: the sample that was installed with the program.
   if (files.isEmpty() && QSettings().value("recentFiles").toStringList().isEmpty()) {
     const QString sample = QCoreApplication::applicationDirPath() +
@@ -166,7 +186,7 @@ int runWindow(int argc, char** argv, const Arguments& arguments) {
     window.openStream(request,
                       settings->poses.empty() ? std::nullopt : std::optional(settings->poses.front()));
   } else {
-    window.openFiles(files, settings->poses);
+    window.openFiles(files, settings->poses, arguments.frame.frame());
   }
   return app.exec();
 }
@@ -177,8 +197,10 @@ int main(int argc, char** argv) {
   CLI::App cli{"Stratascope: 2.5D and extended 2.5D maps from rotating laser scans, in a window"};
   Arguments arguments;
   cli.add_option("files", arguments.files,
-                 "Scans to open, several go into one map; or one stream: tcp://HOST:PORT, "
+                 "Scans to open, or directories of UOS scans (scanNNN.3d); several go into one map; or one "
+                 "session (.stratascope); or one stream: tcp://HOST:PORT, "
                  "serial:DEVICE?baud=500000, replay:FILE (a scan, or a scene that is scanned)");
+  arguments.frame.addTo(cli);
   arguments.params.addTo(cli);
   cli.add_option("--batch", arguments.batch,
                  "Show the window, write window.png and all results into this folder when done, and quit");
@@ -224,7 +246,11 @@ int main(int argc, char** argv) {
     }
     if (arguments.measureLive && arguments.files.size() != 1)
       return complain("--measure-live needs one scan file", 2);
-    if (const std::string problem = streamProblem(arguments); !problem.empty()) return complain(problem, 2);
+    for (const std::string& problem : {streamProblem(arguments), sessionProblem(arguments)})
+      if (!problem.empty()) return complain(problem, 2);
+    auto files = stratascope::scanFiles(arguments.files);
+    if (!files) return complain(files.error().message(), 1);
+    arguments.files = *std::move(files);
     return runWindow(argc, argv, arguments);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return cli.exit(e);  // --help, --version

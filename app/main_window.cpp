@@ -71,7 +71,7 @@ QString idleHint() {
 
 }  // namespace
 
-MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(Keep keep, int threads) {
   initResources();
   setWindowIcon(QIcon(QStringLiteral(":/icons/stratascope.svg")));
   setWindowTitle(tr("Stratascope"));
@@ -79,7 +79,7 @@ MainWindow::MainWindow(Keep keep, QWidget* parent) : QMainWindow(parent) {
   setDockNestingEnabled(true);
   resize(1440, 900);
 
-  bridge_ = new PipelineBridge(this);
+  bridge_ = new PipelineBridge(this, threads);
   session_ = new Session(keep == Keep::Session, this);
 
   message_ = new MessageBar;

@@ -58,12 +58,14 @@ class MainWindow : public QMainWindow {
 public:
   /// With a session, recent files and the window's shape are kept between runs.
   enum class Keep { Session, Nothing };
-  explicit MainWindow(Keep keep, QWidget* parent = nullptr);
+  /// threads: as Execution has them.
+  explicit MainWindow(Keep keep, int threads = 0);
   ~MainWindow() override;
 
-  /// Reads them off this thread and shows them as one map. On an error what is on screen stays. One pose a
-  /// file, or none.
-  void openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses = {});
+  /// Reads them off this thread and shows them as one map; a folder stands for its UOS scans. On an error
+  /// what is on screen stays. One pose a file, or none.
+  void openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses = {},
+                 const FileFrame& frame = {});
   /// Opens it off this thread and shows what comes. On an error what is on screen stays.
   void openStream(const StreamRequest& request, const std::optional<Eigen::Isometry3d>& pose = {});
   /// The same scans, parameters and pictures as when it was saved. Recovered: left behind by a crash.
@@ -87,9 +89,7 @@ public:
   void resetLayout();
 
   /// Nothing is being read, computed or drawn.
-  bool idle() const {
-    return reading_ == 0 && !bridge_->busy() && !comparing();
-  }
+  bool idle() const { return reading_ == 0 && !bridge_->busy() && !comparing(); }
   bool comparing() const;
   SnapshotPtr snapshot() const;
 
@@ -116,6 +116,9 @@ public:
   ChartPanel& charts() { return *charts_; }
   SweepPanel& sweep() { return *sweep_; }
   QString hint() const;
+  /// The call that computes what is shown, without its results' place; empty where only a session can say it:
+  /// hidden scans, or units, axes or poses that some files have and others not.
+  QString commandLine() const;
 
 public slots:
   void chooseFiles();

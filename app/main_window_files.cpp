@@ -12,9 +12,11 @@
 #include "app/live_control.h"
 #include "app/main_window.h"
 #include "app/picture_dialog.h"
+#include "app/scan_desk.h"
 #include "app/session.h"
 #include "io/export.h"
 #include "io/file_util.h"
+#include "io/session_file.h"
 #include "params/param_table.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_panel.h"
@@ -31,6 +33,23 @@ QString fileFilter() {
   patterns.removeDuplicates();
   patterns << QStringLiteral("*.stratascope");
   return QObject::tr("Scans (%1);;All files (*)").arg(patterns.join(' '));
+}
+
+/// The call of the command line that computes the same from files; none if options cannot say it.
+std::optional<QStringList> callFor(const std::vector<DeskFile>& files) {
+  QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")}, poses;
+  for (const DeskFile& file : files) {
+    const bool alike = file.frame == files.front().frame && !file.pose == !files.front().pose;
+    if (!alike || !file.hidden.empty()) return std::nullopt;
+    words << shellWord(file.path);
+    if (file.pose) poses << QStringLiteral("--pose") << poseWord(poseNumbers(*file.pose));
+  }
+  words << poses;
+  if (files.empty()) return words;
+  const FileFrame& frame = files.front().frame;
+  if (frame.unit != LengthUnit::Auto) words << QStringLiteral("--units") << lengthUnitName(frame.unit);
+  if (frame.axes != FileAxes::Auto) words << QStringLiteral("--axes") << fileAxesName(frame.axes);
+  return words;
 }
 
 }  // namespace
@@ -128,16 +147,22 @@ void MainWindow::saveParamsTo() {
   if (!written) showError(QString::fromStdString(written.error().message()));
 }
 
-void MainWindow::copyCommandLine() {
-  QStringList words{QStringLiteral("stratascope-cli"), QStringLiteral("process")};
-  for (const DeskFile& file : desk_->files())
-    words << QStringLiteral("'") + QString(file.path).replace('\'', "'\\''") + QStringLiteral("'");
-  if (live_->isOpen()) words = live_->commandWords();
-  words << QStringLiteral("--out") << QStringLiteral("results");
+QString MainWindow::commandLine() const {
+  const std::optional<QStringList> call = live_->isOpen() ? live_->commandWords() : callFor(desk_->files());
+  if (!call) return {};
   const QString options = QString::fromStdString(paramsAsOptions(params_->params()));
-  if (!options.isEmpty()) words << options;
-  QApplication::clipboard()->setText(words.join(' '));
-  note(tr("Copied: %1").arg(words.join(' ')));
+  return options.isEmpty() ? call->join(' ') : call->join(' ') + ' ' + options;
+}
+
+void MainWindow::copyCommandLine() {
+  const QString call = commandLine();
+  if (call.isEmpty())
+    return showError(
+        tr("Hidden scans, and units, axes or poses of some of the files only, are more than "
+           "options can say; save a session and run stratascope-cli process --session"));
+  const QString whole = call + QStringLiteral(" --out results");
+  QApplication::clipboard()->setText(whole);
+  note(tr("Copied: %1").arg(whole));
 }
 
 void MainWindow::showAbout() {

@@ -51,7 +51,7 @@ void MainWindow::openStream(const StreamRequest& request, const std::optional<Ei
             leaveFiles();
             const std::string file = playedFile(request.address);
             bridge_->openStream(std::move(opened.source), file.empty() ? request.address : file, pose);
-            live_->begin(request);
+            live_->begin(request, pose);
             emit this->opened();
           } else {
             showError(opened.error);

@@ -206,28 +206,24 @@ void MainWindow::buildScanParts() {
   connect(offer_, &OfferBar::left, autosave_, &Autosave::forgetLeftBehind);
 }
 
-void MainWindow::openFiles(const QStringList& paths, std::vector<Eigen::Isometry3d> poses) {
+void MainWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses,
+                           const FileFrame& frame) {
   if (paths.isEmpty()) return;
-  require(poses.empty() || poses.size() == static_cast<size_t>(paths.size()),
-          "openFiles: one pose a file, or none");
   if (paths.front().endsWith(QLatin1String(kSessionEnding), Qt::CaseInsensitive))
     return openSession(paths.front());
-  std::vector<DeskFile> files;
-  for (int i = 0; i < paths.size(); ++i) {
-    DeskFile& file = files.emplace_back();
-    file.path = paths[i];
-    if (!poses.empty())
-      file.pose = poses[static_cast<size_t>(i)];
-    else if (session_->keeps() && recall(file))
-      log_->add(tr("%1: units and axes as set before").arg(QFileInfo(file.path).fileName()));
-  }
+  auto files = deskFiles(paths, poses, frame);
+  if (!files) return showError(QString::fromStdString(files.error().message()));
+  if (poses.empty() && frame == FileFrame{} && session_->keeps())
+    for (DeskFile& file : *files)
+      if (recall(file))
+        log_->add(tr("%1: units and axes as set before").arg(QFileInfo(file.path).fileName()));
   opening_.reset();
   ++requested_;
-  desk_->open(std::move(files));
+  desk_->open(std::move(*files));
 }
 
 void MainWindow::reload() {
-  if (live_->isOpen()) return openStream(live_->request());
+  if (live_->isOpen()) return openStream(live_->request(), live_->pose());
   desk_->reload();
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "io/file_util.h"
+#include "io/scan_paths.h"
 
 namespace stratascope {
 namespace {
@@ -16,6 +17,26 @@ bool samePose(const std::optional<Eigen::Isometry3d>& a, const std::optional<Eig
 }
 
 }  // namespace
+
+Expected<std::vector<DeskFile>> deskFiles(const QStringList& paths,
+                                          const std::vector<Eigen::Isometry3d>& poses,
+                                          const FileFrame& frame) {
+  std::vector<std::string> native;
+  for (const QString& path : paths) native.push_back(QFile::encodeName(path).toStdString());
+  const auto found = scanFiles(native);
+  if (!found) return found.error();
+  if (!poses.empty() && poses.size() != found->size())
+    return Error{"", "pose",
+                 std::to_string(poses.size()) + " poses for " + std::to_string(found->size()) + " scans",
+                 "give one a scan, or none"};
+  std::vector<DeskFile> files(found->size());
+  for (size_t i = 0; i < files.size(); ++i) {
+    files[i].path = QFile::decodeName((*found)[i].c_str());
+    files[i].frame = frame;
+    if (!poses.empty()) files[i].pose = poses[i];
+  }
+  return files;
+}
 
 bool DeskFile::sameReading(const DeskFile& other) const {
   return path == other.path && frame == other.frame && samePose(pose, other.pose);

@@ -4,11 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <QObject>
-#include <QString>
+#include <QStringList>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/expected.h"
 #include "io/scan_io.h"
 #include "scan/scan_summary.h"
 #include "widgets/background.h"
@@ -27,6 +28,12 @@ struct DeskFile {
   bool sameReading(const DeskFile& other) const;
   bool operator==(const DeskFile& other) const;
 };
+
+/// Files to open; a folder stands for its UOS scans. `poses`: one a file, or none. Errors: a folder without
+/// scans, another number of poses.
+Expected<std::vector<DeskFile>> deskFiles(const QStringList& paths,
+                                          const std::vector<Eigen::Isometry3d>& poses,
+                                          const FileFrame& frame);
 
 /// The scans on the table: reads them off the window's thread, keeps what need not be read again. The newest
 /// request wins; while one is read the next waits, so that a dragged number costs one reading at a time.

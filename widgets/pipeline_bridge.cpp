@@ -8,14 +8,16 @@
 
 namespace stratascope {
 
-PipelineBridge::PipelineBridge(QObject* parent) : QObject(parent) {
-  worker_ = std::make_unique<Worker>([this] {
-    collect();
-    // One poll tells of everything that happened before it.
-    if (!pollPosted_.exchange(true))
-      QMetaObject::invokeMethod(
-          this, [this] { poll(); }, Qt::QueuedConnection);
-  });
+PipelineBridge::PipelineBridge(QObject* parent, int threads) : QObject(parent), threads_(threads) {
+  worker_ = std::make_unique<Worker>(
+      [this] {
+        collect();
+        // One poll tells of everything that happened before it.
+        if (!pollPosted_.exchange(true))
+          QMetaObject::invokeMethod(
+              this, [this] { poll(); }, Qt::QueuedConnection);
+      },
+      threads_);
   builder_ = std::jthread([this](std::stop_token stop) { builderLoop(stop); });
 }
 
@@ -67,6 +69,7 @@ void PipelineBridge::openStream(std::unique_ptr<RowSource> source, const std::st
   LiveOptions options;
   options.path = path;
   options.params = params_;
+  options.threads = threads_;
   options.nextScan = NextScan::Overwrites;
   options.pose = pose;
   options.notify = [this] {

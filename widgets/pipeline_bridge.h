@@ -35,7 +35,8 @@ struct GeometryTimes {
 class PipelineBridge : public QObject {
   Q_OBJECT
 public:
-  explicit PipelineBridge(QObject* parent = nullptr);
+  /// threads: as Execution has them.
+  explicit PipelineBridge(QObject* parent = nullptr, int threads = 0);
   ~PipelineBridge() override;
 
   void setScans(std::vector<ScanPtr> scans);
@@ -89,6 +90,7 @@ private:
   void takeGeometry();
   void builderLoop(std::stop_token stop);
 
+  const int threads_;
   PipelineParams params_;
   ViewOptions options_;
   std::vector<ScanPtr> scans_;

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QLocale>
+#include <QStringList>
 #include <cmath>
 
 namespace stratascope {
@@ -35,6 +36,16 @@ QString tableText(const char* text) {
 
 std::string nativePath(const QString& path) {
   return QFile::encodeName(path).toStdString();
+}
+
+QString shellWord(QString word) {
+  return QStringLiteral("'") + word.replace('\'', "'\\''") + QStringLiteral("'");
+}
+
+QString poseWord(const std::array<double, 6>& pose) {
+  QStringList numbers;
+  for (const double v : pose) numbers << QString::number(v, 'g', 15);
+  return numbers.join(',');
 }
 
 }  // namespace stratascope

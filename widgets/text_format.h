@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <array>
 #include <string>
 
 namespace stratascope {
@@ -17,5 +18,9 @@ QString tableText(const char* text);
 
 /// A path as the core takes it, in the file system's own bytes.
 std::string nativePath(const QString& path);
+
+/// For a command line: a word in single quotes, and a pose as --pose takes it, x,y,z,roll,pitch,yaw.
+QString shellWord(QString word);
+QString poseWord(const std::array<double, 6>& pose);
 
 }  // namespace stratascope

@@ -29,6 +29,8 @@ public:
   /// Errors: the file of parameters. Throws BadArguments for options that cannot be used. `base` stands in
   /// for the file, which may then not be given.
   Expected<Settings> settings(const Settings* base = nullptr) const;
+  /// Parameters, a file of them, or poses; not the number of threads.
+  bool anyGiven() const { return !given_.empty() || !file_.empty() || !poses_.empty(); }
   Execution execution() const { return {.threads = threads_}; }
 
 private:

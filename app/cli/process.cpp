@@ -14,6 +14,7 @@
 #include "app/cli/text_table.h"
 #include "io/extra_export.h"
 #include "io/file_util.h"
+#include "io/scan_paths.h"
 #include "io/session_file.h"
 #include "io/text_lines.h"
 #include "layers/surface_class.h"
@@ -124,7 +125,9 @@ Expected<Job> jobOfSession(const ProcessOptions& options) {
       return Error{options.session, "key inputs",
                    "'" + input.units + "', '" + input.axes + "' are no unit and axes",
                    "write them as --units and --axes take them"};
-    job.frames.push_back({*unit, *axes});
+    const FileFrame asked = options.frame.frame();
+    job.frames.push_back({asked.unit == LengthUnit::Auto ? *unit : asked.unit,
+                          asked.axes == FileAxes::Auto ? *axes : asked.axes});
     job.files.push_back(input.path);
     job.hidden.push_back(input.hidden);
     if (settings->poses.empty()) job.poses.push_back(sessionPose(input));

@@ -13,10 +13,6 @@
 
 namespace stratascope::cli {
 
-/// The files a list of SCAN arguments means: a directory stands for its UOS files scanNNN.3d in ascending
-/// order.
-Expected<std::vector<std::string>> scanFiles(const std::vector<std::string>& arguments);
-
 /// Reads all scans of all files, in one map with one local origin; `poses` is empty or one for each file
 /// (else BadArguments), none = what the file says; `frames` is empty (as the files say) or one for each file;
 /// `hidden` is empty or names, for each file, the scans to leave out (from 0, rising).

@@ -14,6 +14,7 @@
 #include "app/cli/text_table.h"
 #include "io/file_util.h"
 #include "io/number_text.h"
+#include "io/scan_paths.h"
 #include "params/param_table.h"
 
 namespace stratascope::cli {

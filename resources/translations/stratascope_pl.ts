@@ -2094,6 +2094,10 @@
             <translation>Parametry (*.json)</translation>
         </message>
         <message>
+            <source>Hidden scans, and units, axes or poses of some of the files only, are more than options can say; save a session and run stratascope-cli process --session</source>
+            <translation>Ukryte skany oraz jednostki, osie lub pozy tylko niektórych plików nie dadzą się wyrazić opcjami; zapisz sesję i uruchom stratascope-cli process --session</translation>
+        </message>
+        <message>
             <source>Copied: %1</source>
             <translation>Skopiowano: %1</translation>
         </message>

@@ -109,8 +109,8 @@ TEST(StreamFaults, EveryFaultIsCountedAndNothingWrongIsShown) {
       EXPECT_EQ(c.missing, row.lost * n);
       EXPECT_EQ(heard.lines.size(), kLines - row.lost * n);
       if (row.powerOn) {
-        // A scanner that was told to go on just as it ended begins again, and is heard before the counters are
-        // read.
+        // A scanner that was told to go on just as it ended begins again, and is heard before the counters
+        // are read.
         EXPECT_GE(c.received, kLines);
         EXPECT_GE(c.powerOns, n);
       } else {
@@ -201,7 +201,9 @@ TEST(StreamFaults, AFullQueueMakesTheSenderWait) {
   }
   EXPECT_EQ(source->counters().dropped, 0u);
   EXPECT_EQ(source->counters().missing, 0u);
-  EXPECT_LT(test::residentBytes(), memory + (16u << 20));
+  if (test::kFreedMemoryReturns) {
+    EXPECT_LT(test::residentBytes(), memory + (16u << 20));
+  }
 }
 
 TEST(StreamFaults, ALinkThatCannotWaitDropsAndCounts) {

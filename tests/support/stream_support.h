@@ -38,5 +38,11 @@ int openDescriptors();
 int runningThreads();
 /// Resident memory of this process, bytes.
 std::size_t residentBytes();
+/// Whether memory that is freed leaves the process, or serves anew: this sanitizer holds it back.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool kFreedMemoryReturns = false;
+#else
+inline constexpr bool kFreedMemoryReturns = true;
+#endif
 
 }  // namespace stratascope::test
