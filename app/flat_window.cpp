@@ -12,9 +12,11 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "app/window_state.h"
 #include "io/export.h"
 #include "widgets/message_bar.h"
 #include "widgets/param_panel.h"
+#include "widgets/text_format.h"
 
 // A static library's resources are left out unless asked for; the macro must stand outside any namespace.
 static void initResources() {
@@ -80,6 +82,7 @@ FlatWindow::FlatWindow(const QString& problem, int threads) {
   connect(params_, &ParamPanel::edited, this, [this](const ParamEdit& edit) { setParams(edit.after); });
   connect(desk_, &ScanDesk::scansChanged, this, [this] {
     message_->hide();
+    if (opening_) setParams(*std::exchange(opening_, std::nullopt));
     bridge_->setScans(desk_->shown());
   });
   connect(bridge_, &PipelineBridge::geometryChanged, this, [this] {
@@ -87,13 +90,27 @@ FlatWindow::FlatWindow(const QString& problem, int threads) {
     records_->setGeometry(bridge_->geometry());
   });
   for (FlatMap* map : {heights_, records_}) connect(map, &FlatMap::hoverText, hint_, &QLabel::setText);
-  connect(desk_, &ScanDesk::failed, message_, &MessageBar::showError);
+  connect(desk_, &ScanDesk::failed, this, [this](const QString& message) {
+    opening_.reset();
+    message_->showError(message);
+  });
+  connect(desk_, &ScanDesk::otherContent, this, [this](const QStringList& changed) {
+    message_->showError(
+        tr("Not the same as when the session was saved: %1").arg(changed.join(QStringLiteral(", "))));
+  });
   connect(bridge_, &PipelineBridge::failed, message_, &MessageBar::showError);
 }
 
 void FlatWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses,
                            const FileFrame& frame) {
   if (paths.isEmpty()) return;
+  if (paths.front().endsWith(QLatin1String(kSessionEnding), Qt::CaseInsensitive)) {
+    const auto session = readSession(nativePath(paths.front()));
+    if (!session) return message_->showError(QString::fromStdString(session.error().message()));
+    opening_ = session->params;
+    return desk_->open(deskFiles(*session));
+  }
+  opening_.reset();
   auto files = deskFiles(paths, poses, frame);
   if (!files) return message_->showError(QString::fromStdString(files.error().message()));
   desk_->open(std::move(*files));

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <QMainWindow>
 #include <QStringList>
+#include <optional>
 #include <vector>
 
 #include "app/scan_desk.h"
@@ -27,7 +28,7 @@ public:
   /// `problem`: what is missing, in one line; threads: as Execution has them.
   explicit FlatWindow(const QString& problem, int threads = 0);
 
-  /// As MainWindow's.
+  /// As MainWindow's, scans or one session, of which the picture is left out.
   void openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses = {},
                  const FileFrame& frame = {});
   void setParams(const PipelineParams& params);
@@ -46,6 +47,7 @@ private:
   FlatMap *heights_, *records_;
   MessageBar* message_;
   QLabel* hint_;
+  std::optional<PipelineParams> opening_;  // of the session that is being read
   Background background_;
 };
 

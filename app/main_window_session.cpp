@@ -109,8 +109,7 @@ SessionFile MainWindow::session() const {
     input.path = nativePath(QFileInfo(file.path).absoluteFilePath());
     input.sha256 = file.sha256;
     if (file.pose) input.pose = poseNumbers(*file.pose);
-    input.units = lengthUnitName(file.frame.unit);
-    input.axes = fileAxesName(file.frame.axes);
+    input.frame = file.frame;
     input.hidden = file.hidden;
   }
   session.params = params_->params();
@@ -121,23 +120,9 @@ SessionFile MainWindow::session() const {
 void MainWindow::openSession(const QString& path, bool recovered) {
   const auto session = readSession(nativePath(path));
   if (!session) return showError(QString::fromStdString(session.error().message()));
-  std::vector<DeskFile> files;
-  for (const SessionInput& input : session->inputs) {
-    const auto unit = lengthUnitFromText(input.units);
-    const auto axes = fileAxesFromText(input.axes);
-    if (!unit || !axes)
-      return showError(
-          tr("%1: '%2', '%3' are no unit and axes; open its scans themselves")
-              .arg(path, QString::fromStdString(input.units), QString::fromStdString(input.axes)));
-    files.push_back({QFile::decodeName(input.path.c_str()),
-                     {*unit, *axes},
-                     sessionPose(input),
-                     input.hidden,
-                     input.sha256});
-  }
   opening_ = Opening{path, session->params, windowFromJson(session->window), recovered};
   ++requested_;
-  desk_->open(std::move(files));
+  desk_->open(deskFiles(*session));
 }
 
 void MainWindow::chooseSession() {

@@ -38,6 +38,14 @@ Expected<std::vector<DeskFile>> deskFiles(const QStringList& paths,
   return files;
 }
 
+std::vector<DeskFile> deskFiles(const SessionFile& session) {
+  std::vector<DeskFile> files;
+  for (const SessionInput& input : session.inputs)
+    files.push_back(
+        {QFile::decodeName(input.path.c_str()), input.frame, sessionPose(input), input.hidden, input.sha256});
+  return files;
+}
+
 bool DeskFile::sameReading(const DeskFile& other) const {
   return path == other.path && frame == other.frame && samePose(pose, other.pose);
 }

@@ -11,6 +11,7 @@
 
 #include "base/expected.h"
 #include "io/scan_io.h"
+#include "io/session_file.h"
 #include "scan/scan_summary.h"
 #include "widgets/background.h"
 
@@ -34,6 +35,8 @@ struct DeskFile {
 Expected<std::vector<DeskFile>> deskFiles(const QStringList& paths,
                                           const std::vector<Eigen::Isometry3d>& poses,
                                           const FileFrame& frame);
+
+std::vector<DeskFile> deskFiles(const SessionFile& session);
 
 /// The scans on the table: reads them off the window's thread, keeps what need not be read again. The newest
 /// request wins; while one is read the next waits, so that a dragged number costs one reading at a time.

@@ -119,15 +119,9 @@ Expected<Job> jobOfSession(const ProcessOptions& options) {
   if (!settings) return settings.error();
   Job job{{}, {settings->poses.begin(), settings->poses.end()}, {}, settings->params};
   for (const SessionInput& input : session->inputs) {
-    const auto unit = lengthUnitFromText(input.units);
-    const auto axes = fileAxesFromText(input.axes);
-    if (!unit || !axes)
-      return Error{options.session, "key inputs",
-                   "'" + input.units + "', '" + input.axes + "' are no unit and axes",
-                   "write them as --units and --axes take them"};
     const FileFrame asked = options.frame.frame();
-    job.frames.push_back({asked.unit == LengthUnit::Auto ? *unit : asked.unit,
-                          asked.axes == FileAxes::Auto ? *axes : asked.axes});
+    job.frames.push_back({asked.unit == LengthUnit::Auto ? input.frame.unit : asked.unit,
+                          asked.axes == FileAxes::Auto ? input.frame.axes : asked.axes});
     job.files.push_back(input.path);
     job.hidden.push_back(input.hidden);
     if (settings->poses.empty()) job.poses.push_back(sessionPose(input));

@@ -29,12 +29,6 @@ bool isSha256(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// What an option's word can look like; which words there are is known where files are read.
-bool isWord(const std::string& text) {
-  return !text.empty() && text.size() <= 32 &&
-         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
-}
-
 std::string poseText(const std::array<double, 6>& pose) {
   std::string text;
   for (const double v : pose) text += (text.empty() ? "" : ",") + numberText(v);
@@ -93,18 +87,24 @@ public:
       if (!isSha256(input.sha256)) fail(place + ".sha256", "not 64 hexadecimal digits");
     }
     if (json.contains("pose") && !json["pose"].is_null()) input.pose = pose(json["pose"], place + ".pose");
-    if (json.contains("units")) input.units = word(json["units"], place + ".units");
-    if (json.contains("axes")) input.axes = word(json["axes"], place + ".axes");
+    if (json.contains("units"))
+      input.frame.unit = word(json["units"], place + ".units", lengthUnitFromText, lengthUnitNames());
+    if (json.contains("axes"))
+      input.frame.axes = word(json["axes"], place + ".axes", fileAxesFromText, fileAxesNames());
     if (json.contains("hidden")) input.hidden = scanNumbers(json["hidden"], place + ".hidden");
     return input;
   }
   const std::optional<Error>& error() const { return error_; }
 
 private:
-  std::string word(const Json& json, const std::string& place) {
-    const std::string text = json.is_string() ? json.get<std::string>() : "";
-    if (!isWord(text)) fail(place, "not a word such as auto");
-    return text;
+  template <class Meant>
+  Meant word(const Json& json, const std::string& place, std::optional<Meant> (*fromText)(std::string_view),
+             const std::vector<std::string>& words) {
+    const auto meant = fromText(json.is_string() ? json.get<std::string>() : std::string());
+    std::string known;
+    for (const std::string& word : words) known += (known.empty() ? "" : ", ") + word;
+    if (!meant) fail(place, "none of " + known);
+    return meant.value_or(Meant::Auto);
   }
   std::vector<int> scanNumbers(const Json& json, const std::string& place) {
     constexpr int kMost = 1 << 20;
@@ -170,9 +170,8 @@ Expected<std::string> sessionJson(const SessionFile& session, const std::string&
     Json entry;
     entry["path"] = storedPath(input.path, path);
     entry["sha256"] = input.sha256.empty() ? Json(nullptr) : Json(input.sha256);
-    require(isWord(input.units) && isWord(input.axes), "sessionJson: units or axes that are no words");
-    entry["units"] = input.units;
-    entry["axes"] = input.axes;
+    entry["units"] = lengthUnitName(input.frame.unit);
+    entry["axes"] = fileAxesName(input.frame.axes);
     entry["pose"] = nullptr;
     if (input.pose) {
       if (const auto pose = poseFromText(poseText(*input.pose)); !pose)

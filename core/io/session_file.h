@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/expected.h"
+#include "io/file_frame.h"
 #include "params/pipeline_params.h"
 
 namespace stratascope {
@@ -19,9 +20,7 @@ struct SessionInput {
       sha256;  ///< of the file when the session was saved; "" = not known, any file of that name will do
   /// x, y, z, roll, pitch, yaw as --pose takes them (m, degrees); none = what the file says.
   std::optional<std::array<double, 6>> pose;
-  /// Unit and axes of its coordinates, in the words of --units and --axes; "auto" = as the file or its format
-  /// says.
-  std::string units = "auto", axes = "auto";
+  FileFrame frame = {};
   /// Which of its scans, from 0, are left out of the map.
   std::vector<int> hidden = {};
 };
@@ -32,9 +31,9 @@ struct SessionInput {
 ///   program     "stratascope"
 ///   version     of the program that wrote it
 ///   session     1, the version of this format
-///   inputs      list of {path, sha256 (or null), pose (six numbers, or null), units, axes, hidden (numbers
-///               of scans, rising)}; all but path can be left out. A path below the session's folder is
-///               relative to it, so that both can be moved together
+///   inputs      list of {path, sha256 (or null), pose (six numbers, or null), units, axes (the words
+///               of --units and --axes), hidden (numbers of scans, rising)}; all but path can be left out. A
+///               path below the session's folder is relative to it, so that both can be moved together
 ///   parameters  as in --params
 ///   window      anything: see below
 /// Other keys are errors, as is a key given twice.

@@ -1715,6 +1715,10 @@
     <context>
         <name>stratascope::FlatWindow</name>
         <message>
+            <source>Not the same as when the session was saved: %1</source>
+            <translation>Inne niż w chwili zapisania sesji: %1</translation>
+        </message>
+        <message>
             <source>Stratascope</source>
             <translation>Stratascope</translation>
         </message>
@@ -2216,10 +2220,6 @@
         <message>
             <source>%1 × %2 × %3 m</source>
             <translation>%1 × %2 × %3 m</translation>
-        </message>
-        <message>
-            <source>%1: '%2', '%3' are no unit and axes; open its scans themselves</source>
-            <translation>%1: '%2', '%3' to nie jednostka i osie; otwórz same skany</translation>
         </message>
         <message>
             <source>Open session</source>

@@ -22,8 +22,7 @@ SessionFile someSession(const std::string& folder) {
   SessionFile session;
   session.inputs = {{folder + "/sub/a.pcd", std::string(64, 'a'), {{1.5, -2, 0.1, 0, 0, 90.000000001}}},
                     {"/elsewhere/b c.3d", "", {}}};
-  session.inputs[1].units = "mm";
-  session.inputs[1].axes = "y-up";
+  session.inputs[1].frame = {LengthUnit::Millimetre, FileAxes::YUp};
   session.inputs[1].hidden = {0, 3};
   session.params.grid.cell = 0.07;
   session.params.intervals.epsilon = 1.0 / 3;
@@ -44,8 +43,7 @@ TEST(SessionFile, ComesBackAsItWas) {
     EXPECT_EQ(back->inputs[i].path, session.inputs[i].path);
     EXPECT_EQ(back->inputs[i].sha256, session.inputs[i].sha256);
     EXPECT_EQ(back->inputs[i].pose, session.inputs[i].pose);
-    EXPECT_EQ(back->inputs[i].units, session.inputs[i].units);
-    EXPECT_EQ(back->inputs[i].axes, session.inputs[i].axes);
+    EXPECT_EQ(back->inputs[i].frame, session.inputs[i].frame);
     EXPECT_EQ(back->inputs[i].hidden, session.inputs[i].hidden);
   }
   EXPECT_EQ(back->params, session.params);
@@ -164,6 +162,8 @@ TEST(SessionFile, HostileFilesAreRefused) {
            {"\"sha256\": null", "\"sha-256\": null"},
            {"\"units\": \"auto\"", "\"units\": 1"},
            {"\"units\": \"mm\"", "\"units\": \"m m\""},
+           {"\"units\": \"mm\"", "\"units\": \"inch\""},
+           {"\"axes\": \"y-up\"", "\"axes\": \"x-up\""},
            {"\"axes\": \"auto\"", "\"axes\": null"},
            {"\"axes\": \"auto\"", "\"axes\": \"\""},
            {"\"pose\": null", "\"pose\": \"1,2,3,4,5,6\""},

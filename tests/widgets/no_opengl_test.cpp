@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "app/flat_window.h"
+#include "io/session_file.h"
 
 namespace stratascope {
 namespace {
@@ -98,6 +99,17 @@ TEST(NoOpenGl, TheMapsAreShownFromAbove) {
     }
   EXPECT_EQ(right, map.frame.columns * map.frame.rows);
   EXPECT_GT(seen, 1000);
+  // A session brings its parameters.
+  const QTemporaryDir folder;
+  SessionFile session;
+  session.inputs.push_back({path, "", {}});
+  session.params.grid.cell = 0.2;
+  const QString file = folder.filePath("s.stratascope");
+  ASSERT_TRUE(writeSession(session, file.toStdString()));
+  window.openFiles({file});
+  const auto cellShown = [&] { return window.bridge().geometry()->snapshot->heightMap->frame.cell; };
+  while (!(window.idle() && cellShown() == 0.2) && timer.elapsed() < 120000) QTest::qWait(10);
+  EXPECT_EQ(cellShown(), 0.2);
   // Where the program itself ends up in such a place, it is this window that opens.
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert("MESA_GL_VERSION_OVERRIDE", "2.1");
