@@ -110,9 +110,9 @@ void FlatWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Is
     opening_ = session->params;
     return desk_->open(deskFiles(*session));
   }
-  opening_.reset();
   auto files = deskFiles(paths, poses, frame);
   if (!files) return message_->showError(QString::fromStdString(files.error().message()));
+  opening_.reset();
   desk_->open(std::move(*files));
 }
 
