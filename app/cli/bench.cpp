@@ -123,12 +123,13 @@ Status bench(const BenchArguments& arguments) {
   options.runs = arguments.runs;
   options.pcl = wanted(arguments.against, "pcl");
   options.octomap = wanted(arguments.against, "octomap");
+  options.octomapSingly = std::ranges::find(arguments.against, "octomap-singly") != arguments.against.end();
   const auto missing = [&](bool asked, const std::string& version, const char* name) {
     if (asked && version.empty())
       report.notes.push_back(std::string(name) + " is not built in: not measured");
   };
   missing(options.pcl, pclVersion(), "PCL");
-  missing(options.octomap, octomapVersion(), "OctoMap");
+  missing(options.octomap || options.octomapSingly, octomapVersion(), "OctoMap");
   auto costs = measureCosts(arguments, settings->params, *scan->scan);
   if (!costs) return costs.error();
   report.costs = *std::move(costs);
@@ -154,9 +155,12 @@ void addBench(CLI::App& app, Action& action) {
   command->add_option("SCAN", arguments->scan, "The scan's file; without one a sample scene is simulated");
   command->add_option("--truth", arguments->truth,
                       "PCD with the scan's true labels and normals, as simulate --truth writes it");
-  command->add_option("--against", arguments->against, "Peers: pcl, octomap, none [default: all built in]")
+  command
+      ->add_option("--against", arguments->against,
+                   "Peers: pcl, octomap, none [default: pcl and octomap where built in]; octomap-singly: "
+                   "OctoMap called with every point and ray by itself")
       ->delimiter(',')
-      ->check(CLI::IsMember({"pcl", "octomap", "none"}));
+      ->check(CLI::IsMember({"pcl", "octomap", "octomap-singly", "none"}));
   command->add_option("--runs", arguments->runs, "Runs, of which the median is told")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

@@ -171,14 +171,24 @@ void measurePcl(const TrueScan& truth, const PointImage& points, const BenchOpti
 }
 
 void measureOctomap(const PointImage& points, const BenchOptions& options, BenchResult& result) {
-  const auto add = [&](const char* key, const char* name, int runs,
-                       PeerMap (*insert)(const PointImage&, double)) {
+  const auto add = [&](const char* key, const char* name, int runs, auto insert, OctomapCalls calls) {
     BenchPeer peer{key, name, 1, 0, {}, {}, {}};
-    peer.bytes = timed(runs, peer.seconds, [&] { return insert(points, options.octomapResolution); }).bytes;
+    peer.bytes =
+        timed(runs, peer.seconds, [&] { return insert(points, options.octomapResolution, calls); }).bytes;
     result.peers.push_back(std::move(peer));
   };
-  add("octomap_end_points", "OctoMap, end points only", options.runs, octomapEndPoints);
-  add("octomap_rays", "OctoMap, with rays", std::min(options.runs, kRunsOfSlowPeers), octomapWithRays);
+  const int few = std::min(options.runs, kRunsOfSlowPeers);
+  if (options.octomap) {
+    add("octomap_end_points", "OctoMap, end points only", options.runs, octomapEndPoints,
+        OctomapCalls::Together);
+    add("octomap_rays", "OctoMap, with rays", few, octomapWithRays, OctomapCalls::Together);
+  }
+  if (options.octomapSingly) {
+    add("octomap_end_points_singly", "OctoMap, end points, each by itself", few, octomapEndPoints,
+        OctomapCalls::Singly);
+    add("octomap_rays_singly", "OctoMap, with rays, each by itself", few, octomapWithRays,
+        OctomapCalls::Singly);
+  }
 }
 
 }  // namespace
@@ -237,7 +247,7 @@ Expected<BenchResult> runBench(const TrueScan& scan, const BenchOptions& options
     say("PCL");
     measurePcl(scan, points, options, result.threads, result);
   }
-  if (options.octomap && !octomapVersion().empty()) {
+  if ((options.octomap || options.octomapSingly) && !octomapVersion().empty()) {
     say("OctoMap");
     measureOctomap(points, options, result);
   }

@@ -21,6 +21,7 @@ struct BenchOptions {
   int threads = 0;  ///< 0 = all
   int runs = 7;     ///< >= 1, after one to warm up
   bool pcl = true, octomap = true;
+  bool octomapSingly = false;  ///< as well
   double octomapResolution = 0.05;
 };
 

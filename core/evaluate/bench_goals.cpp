@@ -6,6 +6,7 @@ namespace stratascope {
 namespace {
 
 constexpr double kPeakBytesPerPoint = 160, kProportional = 1.15;
+constexpr double kMapsByEndPoints = 10, kMapsByRays = 250;
 
 class Goals {
 public:
@@ -46,11 +47,22 @@ public:
     if (!ends || !rays) return;
     const auto mapBytes = static_cast<double>(result_.heightMapBytes + result_.intervalMapBytes);
     atLeast("maps_against_octomap_end_points", "both maps faster than OctoMap's end points",
-            ends->seconds / result_.mapSeconds(), 10);
+            ends->seconds / result_.mapSeconds(), kMapsByEndPoints);
     atLeast("maps_smaller_than_octomap", "both maps smaller than OctoMap with rays",
             static_cast<double>(*rays->bytes) / mapBytes, 10);
     atLeast("maps_against_octomap_rays", "both maps faster than OctoMap with rays",
-            rays->seconds / result_.mapSeconds(), 250);
+            rays->seconds / result_.mapSeconds(), kMapsByRays);
+  }
+
+  void againstSingleCallsOfOctomap() {
+    const BenchPeer *ends = result_.peer("octomap_end_points_singly"),
+                    *rays = result_.peer("octomap_rays_singly");
+    if (!ends || !rays) return;
+    atLeast("maps_against_octomap_end_points_singly",
+            "both maps faster than OctoMap's end points, each by itself",
+            ends->seconds / result_.mapSeconds(), kMapsByEndPoints);
+    atLeast("maps_against_octomap_rays_singly", "both maps faster than OctoMap with rays, each by itself",
+            rays->seconds / result_.mapSeconds(), kMapsByRays);
   }
 
   std::vector<BenchGoal> list;
@@ -65,6 +77,7 @@ std::vector<BenchGoal> benchGoals(const BenchResult& result, const std::vector<P
   Goals goals(result);
   goals.againstPcl();
   goals.againstOctomap();
+  goals.againstSingleCallsOfOctomap();
   if (result.threads > 1)
     goals.atLeast(
         "thread_efficiency",

@@ -19,26 +19,32 @@ octomap::Pointcloud cloudOf(const PointImage& points) {
 
 }  // namespace
 
-PeerMap octomapWithRays(const PointImage& points, double resolution) {
+PeerMap octomapWithRays(const PointImage& points, double resolution, OctomapCalls calls) {
   const octomap::Pointcloud cloud = cloudOf(points);
   const Eigen::Vector3f sensor = points.sensor.cast<float>();
   const Stopwatch watch;
   octomap::OcTree tree(resolution);
-  // Lazily: inner nodes are brought up to date and joined once, at the end; half the time of doing it as one
-  // goes.
-  tree.insertPointCloud(cloud, {sensor.x(), sensor.y(), sensor.z()}, -1, true);
-  tree.updateInnerOccupancy();
-  tree.prune();
+  const octomap::point3d from(sensor.x(), sensor.y(), sensor.z());
+  if (calls == OctomapCalls::Singly) {
+    tree.insertPointCloudRays(cloud, from);
+  } else {
+    // Lazily: inner nodes are brought up to date and joined once, at the end; half the time of doing it as
+    // one goes.
+    tree.insertPointCloud(cloud, from, -1, true);
+    tree.updateInnerOccupancy();
+    tree.prune();
+  }
   const double seconds = watch.seconds();
   return {tree.memoryUsage(), seconds};
 }
 
-PeerMap octomapEndPoints(const PointImage& points, double resolution) {
+PeerMap octomapEndPoints(const PointImage& points, double resolution, OctomapCalls calls) {
   const octomap::Pointcloud cloud = cloudOf(points);
   const Stopwatch watch;
   octomap::OcTree tree(resolution);
-  for (const octomap::point3d& p : cloud) tree.updateNode(p, true, true);
-  tree.updateInnerOccupancy();
+  const bool lazily = calls == OctomapCalls::Together;
+  for (const octomap::point3d& p : cloud) tree.updateNode(p, true, lazily);
+  if (lazily) tree.updateInnerOccupancy();
   const double seconds = watch.seconds();
   return {tree.memoryUsage(), seconds};
 }

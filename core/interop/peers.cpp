@@ -35,11 +35,11 @@ std::string octomapVersion() {
   return "";
 }
 
-PeerMap octomapWithRays(const PointImage&, double) {
+PeerMap octomapWithRays(const PointImage&, double, OctomapCalls) {
   throw std::logic_error("OctoMap is not built in");
 }
 
-PeerMap octomapEndPoints(const PointImage&, double) {
+PeerMap octomapEndPoints(const PointImage&, double, OctomapCalls) {
   throw std::logic_error("OctoMap is not built in");
 }
 #endif

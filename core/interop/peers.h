@@ -65,9 +65,15 @@ struct PeerMap {
   std::size_t bytes = 0;  ///< as the library itself counts
   double seconds = 0;
 };
+/// How OctoMap is called. Together: what serves it best, the whole scan at once, each cube changed once and
+/// inner nodes brought up to date at the end. Singly: every point or ray by itself, the tree up to date after
+/// each.
+enum class OctomapCalls { Together, Singly };
 /// OctoMap of cubes of `resolution` metres: with the rays from the sensor that make space free, or with end
 /// points only.
-PeerMap octomapWithRays(const PointImage& points, double resolution);
-PeerMap octomapEndPoints(const PointImage& points, double resolution);
+PeerMap octomapWithRays(const PointImage& points, double resolution,
+                        OctomapCalls calls = OctomapCalls::Together);
+PeerMap octomapEndPoints(const PointImage& points, double resolution,
+                         OctomapCalls calls = OctomapCalls::Together);
 
 }  // namespace stratascope

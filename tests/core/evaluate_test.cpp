@@ -83,7 +83,9 @@ TEST(BenchGoals, ComeFromTheFiguresBesideThem) {
              {"pcl_integral_normals", "", 1, 0.04, {}, {}, {}},
              {"pcl_integral_planes", "", 1, 0.01, {}, {}, {}},
              {"octomap_end_points", "", 1, 0.6, 3000, {}, {}},
-             {"octomap_rays", "", 1, 6.0, 6000, {}, {}}};
+             {"octomap_rays", "", 1, 6.0, 6000, {}, {}},
+             {"octomap_end_points_singly", "", 1, 0.27, 3000, {}, {}},
+             {"octomap_rays_singly", "", 1, 9.0, 6000, {}, {}}};
   std::map<std::string, BenchGoal> goals;
   for (const BenchGoal& goal :
        benchGoals(r, {{10, 10, 100, 9.0, 12000, 1.0}, {20, 50, 1000, 9.0, 130000, 12.0}}))
@@ -101,6 +103,8 @@ TEST(BenchGoals, ComeFromTheFiguresBesideThem) {
   expect("maps_against_octomap_end_points", 20, true);
   expect("maps_smaller_than_octomap", 15, true);
   expect("maps_against_octomap_rays", 200, false);
+  expect("maps_against_octomap_end_points_singly", 9, false);
+  expect("maps_against_octomap_rays_singly", 300, true);
   expect("thread_efficiency", 100, true);
   expect("peak_bytes_100", 120, true);
   expect("peak_bytes_1000", 130, true);
@@ -156,6 +160,11 @@ TEST_F(Peers, OctomapHoldsMoreWithTheRaysThanWithEndPoints) {
   EXPECT_GT(ends.bytes, 1000u);
   EXPECT_GT(rays.bytes, ends.bytes);
   EXPECT_GT(octomapEndPoints(image, 0.05).bytes, ends.bytes);
+  // Called singly it holds the same cubes, and has joined eight alike.
+  const PeerMap singly = octomapEndPoints(image, 0.1, OctomapCalls::Singly);
+  EXPECT_GT(singly.bytes, 1000u);
+  EXPECT_LE(singly.bytes, ends.bytes);
+  EXPECT_GT(octomapWithRays(image, 0.1, OctomapCalls::Singly).bytes, singly.bytes);
 }
 
 TEST(ScoreTable, AddsUpItsScans) {
