@@ -104,7 +104,7 @@ FlatWindow::FlatWindow(const QString& problem, int threads) {
 void FlatWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses,
                            const FileFrame& frame) {
   if (paths.isEmpty()) return;
-  if (paths.front().endsWith(QLatin1String(kSessionEnding), Qt::CaseInsensitive)) {
+  if (isSessionName(paths.front())) {
     const auto session = readSession(nativePath(paths.front()));
     if (!session) return message_->showError(QString::fromStdString(session.error().message()));
     opening_ = session->params;

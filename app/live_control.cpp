@@ -137,7 +137,7 @@ QStringList LiveControl::commandWords() const {
   const auto option = [&](const char* name, const QString& value) {
     words << QString::fromLatin1(name) << value;
   };
-  if (pose_) option("--pose", poseWord(poseNumbers(*pose_)));
+  if (pose_) option("--pose", QString::fromStdString(poseText(poseNumbers(*pose_))));
   if (looksLikeDeviceAddress(request_.address)) {
     const HeadMotion &m = request_.telegrams.motion, usual;
     if (m.startDeg != usual.startDeg) option("--head-start", number(m.startDeg));

@@ -50,8 +50,9 @@ struct Arguments {
 /// Why these cannot be used with a session; empty if they can, or there is none.
 std::string sessionProblem(const Arguments& arguments) {
   using namespace stratascope;
-  const auto found = std::ranges::find_if(
-      arguments.files, [](const std::string& file) { return file.ends_with(kSessionEnding); });
+  const auto found = std::ranges::find_if(arguments.files, [](const std::string& file) {
+    return isSessionName(QFile::decodeName(file.c_str()));
+  });
   if (found == arguments.files.end()) return {};
   if (arguments.files.size() > 1) return *found + ": a session is opened alone, without files beside it";
   if (arguments.params.anyGiven() || arguments.frame.frame() != FileFrame{})

@@ -42,7 +42,8 @@ std::optional<QStringList> callFor(const std::vector<DeskFile>& files) {
     const bool alike = file.frame == files.front().frame && !file.pose == !files.front().pose;
     if (!alike || !file.hidden.empty()) return std::nullopt;
     words << shellWord(file.path);
-    if (file.pose) poses << QStringLiteral("--pose") << poseWord(poseNumbers(*file.pose));
+    if (file.pose)
+      poses << QStringLiteral("--pose") << QString::fromStdString(poseText(poseNumbers(*file.pose)));
   }
   words << poses;
   if (files.empty()) return words;

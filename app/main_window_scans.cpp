@@ -34,7 +34,7 @@ QString number(double value) {
   return QString::number(value, 'g', 12);
 }
 
-QString poseText(const std::array<double, 6>& pose) {
+QString shownPose(const std::array<double, 6>& pose) {
   QStringList words;
   for (const double v : pose) words << number(v);
   return words.join(QStringLiteral(", "));
@@ -58,7 +58,7 @@ void remember(const DeskFile& file) {
   settings.setValue(memoryKey(file.path),
                     stampOf(file.path) +
                         QStringList{lengthUnitName(file.frame.unit), fileAxesName(file.frame.axes),
-                                    file.pose ? poseText(poseNumbers(*file.pose)).remove(' ') : QString()});
+                                    file.pose ? shownPose(poseNumbers(*file.pose)).remove(' ') : QString()});
 }
 
 bool recall(DeskFile& file) {
@@ -209,8 +209,7 @@ void MainWindow::buildScanParts() {
 void MainWindow::openFiles(const QStringList& paths, const std::vector<Eigen::Isometry3d>& poses,
                            const FileFrame& frame) {
   if (paths.isEmpty()) return;
-  if (paths.front().endsWith(QLatin1String(kSessionEnding), Qt::CaseInsensitive))
-    return openSession(paths.front());
+  if (isSessionName(paths.front())) return openSession(paths.front());
   auto files = deskFiles(paths, poses, frame);
   if (!files) return showError(QString::fromStdString(files.error().message()));
   if (poses.empty() && frame == FileFrame{} && session_->keeps())
@@ -304,7 +303,7 @@ void MainWindow::showScans() {
                       ? tr("none")
                       : QStringLiteral("%1 × %2").arg(scan.lattice->lines()).arg(scan.lattice->beams());
     row.points = countText(entry.summary.points);
-    row.pose = poseText(poseNumbers(scan.pose.map_T_scan));
+    row.pose = shownPose(poseNumbers(scan.pose.map_T_scan));
     size_t siblings = 0;
     for (const auto& other : desk_->entries()) siblings += other.file == entry.file;
     row.poseCanChange = siblings == 1;

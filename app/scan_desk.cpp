@@ -25,10 +25,7 @@ Expected<std::vector<DeskFile>> deskFiles(const QStringList& paths,
   for (const QString& path : paths) native.push_back(QFile::encodeName(path).toStdString());
   const auto found = scanFiles(native);
   if (!found) return found.error();
-  if (!poses.empty() && poses.size() != found->size())
-    return Error{"", "pose",
-                 std::to_string(poses.size()) + " poses for " + std::to_string(found->size()) + " scans",
-                 "give one a scan, or none"};
+  require(poses.empty() || poses.size() == found->size(), "deskFiles: one pose a file, or none");
   std::vector<DeskFile> files(found->size());
   for (size_t i = 0; i < files.size(); ++i) {
     files[i].path = QFile::decodeName((*found)[i].c_str());

@@ -31,7 +31,7 @@ struct DeskFile {
 };
 
 /// Files to open; a folder stands for its UOS scans. `poses`: one a file, or none. Errors: a folder without
-/// scans, another number of poses.
+/// scans.
 Expected<std::vector<DeskFile>> deskFiles(const QStringList& paths,
                                           const std::vector<Eigen::Isometry3d>& poses,
                                           const FileFrame& frame);

@@ -91,6 +91,10 @@ void readSelection(const QJsonObject& json, Selected& selected) {
 
 }  // namespace
 
+bool isSessionName(const QString& path) {
+  return path.endsWith(QLatin1String(kSessionEnding), Qt::CaseInsensitive);
+}
+
 std::string windowJson(const WindowState& state) {
   QJsonObject json{{"window", kVersion}};
   const ViewOptions& o = state.options;

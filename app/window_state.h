@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QString>
 #include <array>
 #include <map>
 #include <optional>
@@ -15,6 +16,8 @@
 namespace stratascope {
 
 inline constexpr const char* kSessionEnding = ".stratascope";  ///< of a session file's name
+/// In small or capital letters.
+bool isSessionName(const QString& path);
 
 /// What a session keeps of the window: how things are looked at, nothing that is computed. What a file does
 /// not say stays as it is.

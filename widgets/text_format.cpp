@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QLocale>
-#include <QStringList>
 #include <cmath>
 
 namespace stratascope {
@@ -40,12 +39,6 @@ std::string nativePath(const QString& path) {
 
 QString shellWord(QString word) {
   return QStringLiteral("'") + word.replace('\'', "'\\''") + QStringLiteral("'");
-}
-
-QString poseWord(const std::array<double, 6>& pose) {
-  QStringList numbers;
-  for (const double v : pose) numbers << QString::number(v, 'g', 15);
-  return numbers.join(',');
 }
 
 }  // namespace stratascope

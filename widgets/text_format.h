@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QString>
-#include <array>
 #include <string>
 
 namespace stratascope {
@@ -19,8 +18,7 @@ QString tableText(const char* text);
 /// A path as the core takes it, in the file system's own bytes.
 std::string nativePath(const QString& path);
 
-/// For a command line: a word in single quotes, and a pose as --pose takes it, x,y,z,roll,pitch,yaw.
+/// A word for a shell, in single quotes.
 QString shellWord(QString word);
-QString poseWord(const std::array<double, 6>& pose);
 
 }  // namespace stratascope

@@ -29,12 +29,6 @@ bool isSha256(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-std::string poseText(const std::array<double, 6>& pose) {
-  std::string text;
-  for (const double v : pose) text += (text.empty() ? "" : ",") + numberText(v);
-  return text;
-}
-
 /// Relative to the session's folder if it lies there, else absolute.
 std::string storedPath(const std::string& input, const std::string& session) {
   std::error_code failed;
@@ -147,6 +141,12 @@ std::array<double, 6> poseNumbers(const Eigen::Isometry3d& pose) {
                                 angles.rollDeg,         angles.pitchDeg,        angles.yawDeg};
   for (double& v : numbers) v = std::round(v * 1e9) / 1e9 + 0.0;
   return numbers;
+}
+
+std::string poseText(const std::array<double, 6>& numbers) {
+  std::string text;
+  for (const double v : numbers) text += (text.empty() ? "" : ",") + numberText(v);
+  return text;
 }
 
 std::optional<Eigen::Isometry3d> sessionPose(const SessionInput& input) {

@@ -56,6 +56,8 @@ Expected<SessionInput> sessionInput(const std::string& path,
 /// The six numbers of a pose, to 1e-9: those it was made from, if they had no more digits and pitch is within
 /// 90°.
 std::array<double, 6> poseNumbers(const Eigen::Isometry3d& pose);
+/// Six numbers as --pose and poseFromText() take them.
+std::string poseText(const std::array<double, 6>& numbers);
 /// As ReadOptions takes it; nothing for an input without a pose.
 std::optional<Eigen::Isometry3d> sessionPose(const SessionInput& input);
 

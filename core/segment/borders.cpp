@@ -198,9 +198,7 @@ std::vector<GridIndex> borderOf(const std::vector<char>& alive, const PlaneRegio
 }  // namespace
 
 BorderNetwork::BorderNetwork(const Neurons& neurons)
-    : neurons_(neurons),
-      listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1),
-      times_(neurons.points.range.rows(), neurons.points.range.cols()) {}
+    : neurons_(neurons), listed_(neurons.points.range.rows(), neurons.points.range.cols(), -1) {}
 
 BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int mostSteps,
                                              PlaneRegions& regions, const Execution& execution) {
@@ -212,7 +210,7 @@ BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int
   std::vector<GridIndex> active = borderOf(alive, regions, execution), next;
   std::vector<std::int32_t> wanted;
   Settled settled{active.size(), 0};
-  std::ranges::fill(times_.values(), std::uint8_t{0});
+  Grid<std::uint8_t> times(region.rows(), region.cols(), 0);  // that a neuron changed
   for (const int last = step_ + mostSteps; step_ < last && !active.empty(); ++step_) {
     wanted.resize(active.size());
     constexpr int kChunk = 512;
@@ -231,8 +229,8 @@ BorderNetwork::Settled BorderNetwork::settle(const std::vector<char>& alive, int
       // Neighbours that change at the same time can swap for ever, or in turns: nobody changes more often
       // than a border needs to find its place.
       constexpr int kMostTimes = 4;
-      if (times_(at) >= kMostTimes) continue;
-      ++times_(at);
+      if (times(at) >= kMostTimes) continue;
+      ++times(at);
       own = wanted[k];
       ++settled.changes;
       for (int di = -1; di <= 1; ++di)

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "base/parallel_rows.h"
@@ -32,9 +31,8 @@ public:
 
 private:
   const Neurons& neurons_;
-  int step_ = 0;              // goes on from one call to the next, so that listed_ need not be cleared
-  Grid<int> listed_;          // the step a neuron was last put on the list
-  Grid<std::uint8_t> times_;  // how often a neuron changed in this call
+  int step_ = 0;      // goes on from one call to the next, so that listed_ need not be cleared
+  Grid<int> listed_;  // the step a neuron was last put on the list
 };
 
 }  // namespace stratascope

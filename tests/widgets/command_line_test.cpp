@@ -87,10 +87,7 @@ protected:
   /// One whose lengths are millimetres.
   QString far() const { return scans() + "/far.3d"; }
   QString file(const char* name) const { return folder_.path() + '/' + name; }
-  bool settle() {
-    return test::waitFor([&] { return window_->idle() && window_->snapshot(); }) &&
-           (QTest::qWait(300), test::waitFor([&] { return window_->idle(); }));
-  }
+  bool settle() { return test::settle(*window_); }
   void expectCallComputesWhatIsShown() {
     const QString call = window_->commandLine();
     SCOPED_TRACE(call.toStdString());

@@ -72,8 +72,7 @@ bool waitFor(const Condition& condition) {
 }
 
 bool settle(MainWindow& window) {
-  return waitFor([&] { return window.idle() && window.snapshot(); }) &&
-         (QTest::qWait(300), waitFor([&] { return window.idle(); }));
+  return test::settle(window, 120000);
 }
 
 SnapshotPtr computed(const std::vector<QString>& paths, const PipelineParams& params,

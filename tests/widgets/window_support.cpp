@@ -68,6 +68,11 @@ void Window::SetUp() {
   ASSERT_TRUE(settle());
 }
 
+bool settle(MainWindow& window, int mostMs) {
+  return waitFor([&] { return window.idle() && window.snapshot(); }, mostMs) &&
+         (QTest::qWait(300), waitFor([&] { return window.idle(); }, mostMs));
+}
+
 bool Window::settle() {
   return waitFor([this] { return window_->snapshot() && window_->idle(); }) &&
          (QTest::qWait(300), window_->idle());

@@ -35,6 +35,9 @@ bool waitFor(const Condition& condition, int mostMs = 60000) {
   return true;
 }
 
+/// Until the window has nothing left to do, and does not begin anew by itself.
+bool settle(MainWindow& window, int mostMs = 60000);
+
 /// How many pixels are within `tolerance` of the colour in each channel.
 int countNear(const QImage& image, Rgb colour, int tolerance = 8);
 
